@@ -1,0 +1,165 @@
+# A dependency provider: where a preset (or you) names this file in CMAKE_PROJECT_TOP_LEVEL_INCLUDES, a package that
+# find_package does not find is fetched, once, into SPLINERTIA_DEPS_DIR. Nothing is installed, nothing needs root.
+cmake_minimum_required(VERSION 3.24)
+include_guard(GLOBAL)
+cmake_path(SET splinertia_deps NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../build/deps")
+set(SPLINERTIA_DEPS_DIR "${splinertia_deps}" CACHE PATH "Where fetched packages are kept")
+set(SPLINERTIA_DEPS_SOURCES git apt pip CACHE STRING "Where to fetch from, in this order")
+
+# package | kind | what to get. The folder in SPLINERTIA_DEPS_DIR is named after the first three cells.
+#   git: tag, url, the commit that the tag must be   apt: package   pip: version, name, sha256 of the source archive
+# git and pip also: the folder that holds the headers there, and its name below include/ here. sophuspy carries upstream's
+# headers of April 2018.
+set(splinertia_sources
+  "Eigen3|git|3.4.0|https://gitlab.com/libeigen/eigen.git|3147391d946bb4b6c68edd901f2add6ac1f31f8c|Eigen|Eigen"
+  "Eigen3|apt|libeigen3-dev"
+  "Sophus|git|1.24.6|https://github.com/strasdat/Sophus.git|d0b7315a0d90fc6143defa54596a3a95d9fa10ec|sophus|sophus"
+  "Sophus|pip|1.2.0|sophuspy|a88d106589fa3d89777226f1df4f419a7aaafa441fc2070092726aa4573eed9f|sophuspy/include/original|sophus"
+  "Catch2|git|v2.13.10|https://github.com/catchorg/Catch2.git|182c910b4b63ff587a3440e08f84f70497e49a81|single_include/catch2|catch2"
+  "Catch2|apt|catch2"
+  "CLI11|git|v2.4.2|https://github.com/CLIUtils/CLI11.git|6c7b07a878ad834957b98d0f9ce1dbe0cb204fc9|include/CLI|CLI"
+  "CLI11|apt|libcli11-dev")
+
+# Runs a command quietly; a failure is a line of the verbose log and <ok> = FALSE.
+function(splinertia_run ok seconds)
+  execute_process(COMMAND ${ARGN} TIMEOUT ${seconds} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(code EQUAL 0)
+    set(${ok} TRUE PARENT_SCOPE)
+  else()
+    set(${ok} FALSE PARENT_SCOPE)
+    message(VERBOSE "  ${ARGN}: ${code} ${text}")
+  endif()
+endfunction()
+
+# splinertia_fetch_<kind>(<prefix> ...the row's cells): fills the empty folder <prefix>, or leaves it without headers.
+
+function(splinertia_fetch_git prefix tag url commit folder include_name)
+  find_program(SPLINERTIA_GIT git)
+  mark_as_advanced(SPLINERTIA_GIT)
+  string(REGEX MATCH "//[^/]+" host "${url}")
+  get_property(unreachable GLOBAL PROPERTY splinertia_unreachable)
+  if(NOT SPLINERTIA_GIT OR host IN_LIST unreachable)
+    return()
+  endif()
+  # Ask for the tag first: a clone from a host out of reach would keep everybody waiting.
+  set(git ${CMAKE_COMMAND} -E env GIT_TERMINAL_PROMPT=0 "${SPLINERTIA_GIT}" -c advice.detachedHead=false)
+  splinertia_run(ok 10 ${git} ls-remote --exit-code "${url}" "refs/tags/${tag}")
+  if(NOT ok)
+    set_property(GLOBAL APPEND PROPERTY splinertia_unreachable "${host}")
+    return()
+  endif()
+  splinertia_run(ok 300 ${git} clone --quiet --depth 1 --branch "${tag}" "${url}" "${prefix}/source")
+  if(ok)
+    execute_process(COMMAND "${SPLINERTIA_GIT}" -C "${prefix}/source" rev-parse HEAD
+      OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if(head STREQUAL commit)
+      file(COPY "${prefix}/source/${folder}/" DESTINATION "${prefix}/include/${include_name}")
+    else()
+      message(WARNING "${url} ${tag} is ${head}, not ${commit} as expected: not used")
+    endif()
+  endif()
+  file(REMOVE_RECURSE "${prefix}/source")
+endfunction()
+
+# Package lists are 100 MB: they are read once, for all packages of the table that might be wanted, and not kept.
+function(splinertia_fetch_apt prefix package)
+  find_program(SPLINERTIA_APT apt-get)
+  find_program(SPLINERTIA_DPKG dpkg-deb)
+  mark_as_advanced(SPLINERTIA_APT SPLINERTIA_DPKG)
+  if(NOT SPLINERTIA_APT OR NOT SPLINERTIA_DPKG)
+    return()
+  endif()
+  set(archives "${SPLINERTIA_DEPS_DIR}/archives")
+  file(GLOB archive "${archives}/${package}_*.deb")
+  if(NOT archive)
+    set(work "${SPLINERTIA_DEPS_DIR}/apt.part")
+    file(MAKE_DIRECTORY "${work}/lists/partial" "${work}/cache/archives/partial" "${work}/new")
+    set(apt "${SPLINERTIA_APT}" -qq -o "Dir::State::Lists=${work}/lists" -o "Dir::Cache=${work}/cache"
+      -o APT::Sandbox::User=root -o Acquire::Languages=none -o Acquire::Retries=2 -o Acquire::http::Timeout=20)
+    splinertia_run(ok 180 ${apt} update)
+    set(rows ${splinertia_sources})
+    list(FILTER rows INCLUDE REGEX "[|]apt[|]")
+    foreach(row IN LISTS rows)
+      string(REGEX REPLACE ".*[|]" "" wanted "${row}")
+      splinertia_run(ok 120 ${CMAKE_COMMAND} -E chdir "${work}/new" ${apt} download "${wanted}")
+      if(ok)
+        file(GLOB done "${work}/new/${wanted}_*.deb")
+        file(COPY ${done} DESTINATION "${archives}")
+      endif()
+    endforeach()
+    file(REMOVE_RECURSE "${work}")
+    file(GLOB archive "${archives}/${package}_*.deb")
+  endif()
+  if(archive)
+    list(GET archive 0 archive)
+    splinertia_run(ok 60 "${SPLINERTIA_DPKG}" -x "${archive}" "${prefix}")
+    if(NOT ok)
+      file(REMOVE_RECURSE "${prefix}" "${archive}")
+    endif()
+  endif()
+endfunction()
+
+function(splinertia_fetch_pip prefix version name sha256 folder include_name)
+  find_program(SPLINERTIA_PYTHON NAMES python3 python)
+  mark_as_advanced(SPLINERTIA_PYTHON)
+  if(NOT SPLINERTIA_PYTHON)
+    return()
+  endif()
+  file(WRITE "${prefix}/source/requirements.txt" "${name}==${version} --hash=sha256:${sha256}\n")
+  splinertia_run(ok 300 "${SPLINERTIA_PYTHON}" -m pip download --quiet --no-deps --no-binary "${name}" --require-hashes
+    --requirement "${prefix}/source/requirements.txt" --dest "${prefix}/source")
+  if(ok)
+    file(ARCHIVE_EXTRACT INPUT "${prefix}/source/${name}-${version}.tar.gz" DESTINATION "${prefix}/source")
+    file(COPY "${prefix}/source/${name}-${version}/${folder}/" DESTINATION "${prefix}/include/${include_name}")
+  endif()
+  file(REMOVE_RECURSE "${prefix}/source")
+endfunction()
+
+# Sets <prefix> to a folder that holds <package>: one fetched earlier, or fetched now from the first source that works.
+# The work is done in a folder *.part that is renamed when complete, under a lock: other configures may run beside us.
+function(splinertia_provide package prefix)
+  file(LOCK "${SPLINERTIA_DEPS_DIR}" DIRECTORY GUARD FUNCTION TIMEOUT 900)
+  set(rows "")
+  foreach(kind IN LISTS SPLINERTIA_DEPS_SOURCES)
+    set(row ${splinertia_sources})
+    list(FILTER row INCLUDE REGEX "^${package}[|]${kind}[|]")
+    list(APPEND rows ${row})
+  endforeach()
+  foreach(step IN ITEMS look fetch)
+    foreach(row IN LISTS rows)
+      string(REPLACE "|" ";" cells "${row}")
+      list(POP_FRONT cells package kind)
+      list(GET cells 0 version)
+      set(folder "${SPLINERTIA_DEPS_DIR}/${package}-${kind}-${version}")
+      if(step STREQUAL "fetch")
+        message(STATUS "${package} is not installed, fetching it (${kind})")
+        file(REMOVE_RECURSE "${folder}.part")
+        file(MAKE_DIRECTORY "${folder}.part")
+        cmake_language(CALL splinertia_fetch_${kind} "${folder}.part" ${cells})
+        if(EXISTS "${folder}.part/include" OR EXISTS "${folder}.part/usr/include")
+          file(RENAME "${folder}.part" "${folder}")
+        endif()
+        file(REMOVE_RECURSE "${folder}.part")
+      endif()
+      if(EXISTS "${folder}")
+        set(${prefix} "${folder}" PARENT_SCOPE)
+        return()
+      endif()
+    endforeach()
+  endforeach()
+  message(STATUS "${package} could not be fetched (--log-level=VERBOSE says why)")
+endfunction()
+
+# Only names a place to look: the find_package that called us then goes on as usual, with <package>_ROOT set.
+macro(splinertia_provide_dependency method package)
+  if("${splinertia_sources}" MATCHES "(^|;)${package}[|]")
+    find_package(${package} CONFIG QUIET BYPASS_PROVIDER)
+    if(NOT ${package}_FOUND AND NOT splinertia_headers)
+      splinertia_provide(${package} ${package}_ROOT)
+      if(EXISTS "${${package}_ROOT}/usr")
+        string(APPEND ${package}_ROOT "/usr")
+      endif()
+    endif()
+  endif()
+endmacro()
+cmake_language(SET_DEPENDENCY_PROVIDER splinertia_provide_dependency SUPPORTED_METHODS FIND_PACKAGE)

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+// The main job: a trajectory goes in, what an IMU would have measured along it comes out, and integrating that back shows
+// how far the noise and the integration scheme carry the estimate away.
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/euroc.hpp>
+#include <splinertia/io/trajectory.hpp>
+#include <splinertia/io/tum.hpp>
+#include <splinertia/splinertia.hpp>
+#include <string>
+#include <vector>
+
+#include "support/progress.hpp"
+
+using namespace splinertia;
+using std::chrono::nanoseconds;
+
+namespace {
+
+struct Options {
+  std::filesystem::path trajectory;  // empty: an analytic motion
+  std::string motion = "ellipse";
+  double duration = 20;
+  double rate = 200;
+  double gyro_noise = 0.015, gyro_walk = 5e-5;
+  double accel_noise = 0.019, accel_walk = 5e-4;
+  std::vector<double> gravity{0, 0, -9.80665};
+  std::uint64_t seed = 0;
+  std::string group = "split";
+  int order = 4;
+  double knot_interval = 0.05;
+  std::filesystem::path output = ".";
+  std::filesystem::path csv;
+
+  Eigen::Vector3d gravity_vector() const {
+    return gravity.size() == 1 ? Eigen::Vector3d(0, 0, -gravity[0]) : Eigen::Vector3d(gravity.data());
+  }
+};
+
+struct ErrorStatistics {
+  double squares = 0, largest = 0, last = 0;
+  std::size_t count = 0;
+
+  void add(double error) {
+    squares += error * error;
+    largest = std::max(largest, error);
+    last = error;
+    ++count;
+  }
+  double rms() const { return std::sqrt(squares / static_cast<double>(count)); }
+};
+
+/// Integrates samples as they come and compares with the truth.
+template <typename Scheme, typename Reading, typename Time>
+struct DeadReckoning {
+  const char* imu;
+  const char* scheme;
+  Eigen::Vector3d gravity;
+  ErrorStatistics position{}, attitude{};  // m, deg
+  std::optional<NavState<double, Time>> state{};
+  Reading previous{};
+
+  void add(const Reading& sample, const NavState<double, Time>& truth) {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    state = state ? Scheme::step(*state, previous, sample, gravity) : truth;
+    previous = sample;
+    position.add((state->p_WB - truth.p_WB).norm());
+    attitude.add(increment(truth.R_WB, state->R_WB).norm() / degree);
+  }
+};
+
+void print_table(const auto&... runs) {
+  std::puts("\nIntegrated back from the true initial state:\n");
+  std::puts("                     position error [m]              attitude error [deg]");
+  std::puts("IMU    scheme         rms        max        end        rms        max        end");
+  const auto row = [](const auto& r) {
+    std::printf("%-6s %-9s %10.3g %10.3g %10.3g %10.3g %10.3g %10.3g\n", r.imu, r.scheme, r.position.rms(), r.position.largest,
+                r.position.last, r.attitude.rms(), r.attitude.largest, r.attitude.last);
+  };
+  (row(runs), ...);
+}
+
+void write_table(AtomicFile& file, const auto&... runs) {
+  file.append(
+      "imu,scheme,position_rms_m,position_max_m,position_end_m,attitude_rms_deg,attitude_max_deg,attitude_end_deg\n");
+  const auto row = [&](const auto& r) {
+    file.append(message(r.imu, ',', r.scheme));
+    for (const double value : {r.position.rms(), r.position.largest, r.position.last, r.attitude.rms(), r.attitude.largest,
+                               r.attitude.last}) {
+      file.append(',');
+      file.append_real(value);
+    }
+    file.append('\n');
+  };
+  (row(runs), ...);
+  file.commit();
+}
+
+/// Simulates along `truth`, writes the files and prints how well the samples integrate back.
+template <typename Curve>
+void simulate_along(const Curve& truth, const Options& o, typename Simulation<const Curve&, Imu<>>::Options run) {
+  using Time = typename Curve::Time;
+  using Reading = BasicImuReading<double, Time>;
+  run.rate = o.rate;
+  run.seed = o.seed;
+  run.gravity = o.gravity_vector();
+  const Imu noisy_imu{ErrorModel{WhiteNoise{o.gyro_noise}, RandomWalk{o.gyro_walk}},
+                      ErrorModel{WhiteNoise{o.accel_noise}, RandomWalk{o.accel_walk}}};
+  const auto ideal = simulate(truth, Imu{ErrorModel{}, ErrorModel{}}, run);
+  const auto noisy = simulate(truth, noisy_imu, run);
+  const double duration = seconds<double>(noisy.time(noisy.size() - 1) - noisy.time(0));
+  std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", noisy.size(), o.rate, duration,
+              static_cast<unsigned long long>(o.seed));
+  std::printf("     gyro   white noise %g rad/s/sqrt(Hz), random walk %g rad/s^2/sqrt(Hz)\n", o.gyro_noise, o.gyro_walk);
+  std::printf("     accel  white noise %g m/s^2/sqrt(Hz), random walk %g m/s^3/sqrt(Hz)\n", o.accel_noise, o.accel_walk);
+
+  std::error_code error;
+  std::filesystem::create_directories(o.output, error);
+  if (error) throw std::runtime_error(message(o.output.string(), ": cannot create this folder: ", error.message()));
+  EurocImuWriter imu_csv(o.output / "imu.csv");
+  EurocGroundtruthWriter groundtruth_csv(o.output / "groundtruth.csv");
+  TumWriter poses_tum(o.output / "poses.tum");
+  std::optional<AtomicFile> table_csv;
+  if (!o.csv.empty()) table_csv.emplace(o.csv);
+
+  DeadReckoning<Euler, Reading, Time> ideal_euler{"ideal", "Euler", run.gravity}, noisy_euler{"noisy", "Euler", run.gravity};
+  DeadReckoning<Midpoint, Reading, Time> ideal_midpoint{"ideal", "Midpoint", run.gravity};
+  DeadReckoning<Midpoint, Reading, Time> noisy_midpoint{"noisy", "Midpoint", run.gravity};
+  Progress progress(noisy.size());
+  auto ideal_reading = ideal.begin();
+  for (const Reading& reading : noisy) {
+    const auto state = nav_state(truth.template evaluate<1>(reading.time), reading.time);
+    ideal_euler.add(*ideal_reading, state);
+    ideal_midpoint.add(*ideal_reading, state);
+    noisy_euler.add(reading, state);
+    noisy_midpoint.add(reading, state);
+    ++ideal_reading;
+
+    const nanoseconds time = to_nanoseconds(reading.time);
+    const SO3xR3<double> pose{state.R_WB, state.p_WB};
+    imu_csv.append(EurocImu{time, reading.gyro, reading.accel});
+    groundtruth_csv.append(EurocState{time, pose, state.v_WB, reading.gyro_bias, reading.accel_bias});
+    poses_tum.append(Stamped<SO3xR3<double>>{time, pose});
+    progress.advance();
+  }
+  imu_csv.commit();
+  groundtruth_csv.commit();
+  poses_tum.commit();
+  std::printf("wrote imu.csv, groundtruth.csv and poses.tum to %s\n", o.output.string().c_str());
+  print_table(ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
+  if (table_csv) write_table(*table_csv, ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
+}
+
+using Poses = std::vector<Stamped<SO3xR3<double>>>;
+
+/// The poses at uniform times, interpolated between their neighbours, as control points. The first belongs to the first
+/// pose, so that the curve begins (order − 2)/2 intervals later. Throws std::runtime_error if they are too few.
+template <Pose G, int Order>
+Spline<G, Order, UniformKnots<nanoseconds>> resample(const Poses& poses, const Options& o) {
+  const nanoseconds interval = to_nanoseconds(o.knot_interval);
+  const nanoseconds first = poses.front().time, last = poses.back().time;
+  std::vector<G> control_points;
+  std::size_t i = 0;
+  for (nanoseconds t = first; t <= last; t += interval) {
+    while (i + 2 < poses.size() && poses[i + 1].time <= t) ++i;
+    const auto& [t0, x0] = poses[i];
+    const auto& [t1, x1] = poses[i + 1];
+    const Tangent<SO3xR3<double>> step = increment(x0, x1) * (seconds<double>(t - t0) / seconds<double>(t1 - t0));
+    const auto x = GroupTraits<SO3xR3<double>>::compose(x0, GroupTraits<SO3xR3<double>>::exp(step));
+    control_points.push_back(make_pose<G>(rotation(x), position(x)));
+  }
+  if (control_points.size() < static_cast<std::size_t>(Order)) {
+    throw std::runtime_error(message(o.trajectory.string(), ": the poses span ", seconds<double>(last - first),
+                                     " s, which gives ", control_points.size(), " control points ", o.knot_interval,
+                                     " s apart, expected at least ", Order, ", the order of the spline"));
+  }
+  return {{first + interval * (Order - 2) / 2, interval}, std::move(control_points)};
+}
+
+template <Pose G, int Order>
+void simulate_poses(const Poses& poses, const Options& o) {
+  const auto curve = resample<G, Order>(poses, o);
+  ErrorStatistics distance;
+  nanoseconds longest_gap{0};
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (i > 0) longest_gap = std::max(longest_gap, poses[i].time - poses[i - 1].time);
+    if (poses[i].time < curve.start() || poses[i].time > curve.end()) continue;
+    distance.add((position(curve.template evaluate<0>(poses[i].time).value) - position(poses[i].value)).norm());
+  }
+  std::printf("%s: %zu poses over %g s, longest gap %g s\n", o.trajectory.string().c_str(), poses.size(),
+              seconds<double>(poses.back().time - poses.front().time), seconds<double>(longest_gap));
+  std::printf("     spline of order %d on %s, %zu control points %g s apart, within %.3g m (rms), %.3g m (max) of the poses\n",
+              Order, SplitPose<G> ? "SO(3) x R^3" : "SE(3)", curve.control_points().size(), o.knot_interval, distance.rms(),
+              distance.largest);
+  simulate_along(curve, o, {});
+}
+
+void simulate_file(const Options& o) {
+  const Poses poses = read_trajectory(o.trajectory);
+  if (poses.size() < static_cast<std::size_t>(o.order)) {
+    throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least ", o.order,
+                                     ", the order of the spline"));
+  }
+  const auto with_group = [&]<typename G>() {
+    switch (o.order) {
+      case 3: return simulate_poses<G, 3>(poses, o);
+      case 4: return simulate_poses<G, 4>(poses, o);
+      case 5: return simulate_poses<G, 5>(poses, o);
+      default: return simulate_poses<G, 6>(poses, o);
+    }
+  };
+  o.group == "split" ? with_group.operator()<SO3xR3<double>>() : with_group.operator()<Sophus::SE3d>();
+}
+
+void simulate_analytic(const Options& o) {
+  std::printf("%s: analytic motion, exact samples\n", o.motion.c_str());
+  const auto run = [&](const auto& motion) { simulate_along(motion, o, {.start = 0.0, .end = o.duration}); };
+  if (o.motion == "ellipse") run(Ellipse<>{});
+  if (o.motion == "circle") run(Circle<>{.radius = 5, .rate = 0.4, .height = 1});
+  if (o.motion == "coning") run(Coning<>{.angle = 0.1, .rate = 10});
+  if (o.motion == "rest") run(at_rest(SO3xR3<double>{}));
+}
+
+/// Adds the options to the command line. CLI11 checks what is a matter of form; the library checks the values.
+void add_options(CLI::App& app, Options& o) {
+  auto* trajectory = app.add_option("trajectory", o.trajectory,
+                                    "TUM or EuRoC trajectory, recognised by its content; without it an analytic motion");
+  app.add_option("--motion", o.motion, "analytic motion")
+      ->check(CLI::IsMember({"ellipse", "circle", "coning", "rest"}))
+      ->excludes(trajectory)
+      ->capture_default_str();
+  app.add_option("--duration", o.duration, "of an analytic motion [s]")->excludes(trajectory)->capture_default_str();
+  app.add_option("--rate", o.rate, "IMU samples a second [Hz]")->capture_default_str();
+  app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)]")->capture_default_str();
+  app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)]")->capture_default_str();
+  app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)]")->capture_default_str();
+  app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)]")->capture_default_str();
+  app.add_option("--gravity", o.gravity, "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
+      ->expected(1, 3)
+      ->check(CLI::Number)
+      ->capture_default_str();
+  app.add_option("--seed", o.seed, "of the noise; the same seed gives the same samples everywhere")->capture_default_str();
+  app.add_option("--order", o.order, "of the spline through a trajectory file: degree + 1")
+      ->check(CLI::Range(3, 6))
+      ->needs(trajectory)
+      ->capture_default_str();
+  app.add_option("--group", o.group, "of that spline: split is SO(3) x R^3, se3 is SE(3)")
+      ->check(CLI::IsMember({"split", "se3"}))
+      ->needs(trajectory)
+      ->capture_default_str();
+  app.add_option("--knot-interval", o.knot_interval, "of that spline [s]")->needs(trajectory)->capture_default_str();
+  app.add_option("-o,--output", o.output, "folder for imu.csv, groundtruth.csv (EuRoC) and poses.tum (TUM)")
+      ->capture_default_str();
+  app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
+}
+
+void check(const Options& o) {
+  if (o.gravity.size() == 2) throw std::invalid_argument("--gravity: 2 numbers, expected 1 or 3");
+  if (!(o.duration > 0) || !std::isfinite(o.duration)) {
+    throw std::invalid_argument(message("--duration: ", o.duration, ", expected a positive number of seconds"));
+  }
+  if (!(o.knot_interval >= 1e-6 && o.knot_interval <= 1e6)) {
+    throw std::invalid_argument(message("--knot-interval: ", o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
+      "The poses of a file are interpolated at uniform times and become the control points of a B-spline, which is smooth\n"
+      "but does not pass through them; how far off it is, is printed. The ground truth written is that of the spline."};
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    check(options);
+    options.trajectory.empty() ? simulate_analytic(options) : simulate_file(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulate_imu: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}

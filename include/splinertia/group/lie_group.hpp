@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+/// What the library asks of a Lie group. A type becomes a group by specialising GroupTraits; nothing else of it is used.
+///
+/// Conventions: tangent vectors are columns of Dof scalars; exp and log are the group's exponential coordinates;
+/// perturbations are on the right, X ⊞ δ = X exp(δ); Jacobians are those of exp,
+///   exp(τ + δ) ≈ exp(J_l(τ) δ) exp(τ) ≈ exp(τ) exp(J_r(τ) δ).
+/// Notation as in Solà, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", arXiv:1812.01537.
+#pragma once
+
+#include <Eigen/Core>
+#include <concepts>
+
+namespace splinertia {
+
+/// Specialise for a group G:
+///
+///   using Scalar                                    the real type
+///   static constexpr int Dof                        dimension of the tangent space
+///   static constexpr bool commutative               (optional, default false) X Y = Y X for all X, Y
+///   static G identity()
+///   static G compose(const G& x, const G& y)        x y
+///   static G inverse(const G& x)                    x⁻¹
+///   static G exp(const Tangent& tau)
+///   static Tangent log(const G& x)
+///   static Tangent adjoint(const G& x, const Tangent& tau)           Ad_x τ = log(x exp(τ) x⁻¹)
+///   static Tangent bracket(const Tangent& a, const Tangent& b)       ad_a b = [a, b]
+///
+/// Where the group can do better than the composition of the above, it may add
+///
+///   static Tangent increment(const G& x, const G& y)                 log(x⁻¹ y), accurate for close x and y
+///   static Tangent adjoint_inverse(const G& x, const Tangent& tau)   Ad_{x⁻¹} τ
+///
+/// and, for whoever asks for Jacobians (Dof × Dof),
+///
+///   static Jacobian left_jacobian(const Tangent& tau)                J_l(τ)
+///   static Jacobian left_jacobian_inverse(const Tangent& tau)        J_l(τ)⁻¹, for |rotation| < 2π
+template <typename G>
+struct GroupTraits;
+
+template <typename G>
+using ScalarOf = typename GroupTraits<G>::Scalar;
+
+template <typename G>
+inline constexpr int DofOf = GroupTraits<G>::Dof;
+
+template <typename G>
+using Tangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, 1>;
+
+template <typename G>
+using Jacobian = Eigen::Matrix<ScalarOf<G>, DofOf<G>, DofOf<G>>;
+
+template <typename Scalar>
+using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+
+template <typename Scalar>
+using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+
+/// A type with a complete GroupTraits. Demands only what evaluating a curve needs.
+template <typename G>
+concept LieGroup = requires(const G& x, const G& y, const Tangent<G>& a, const Tangent<G>& b) {
+  requires GroupTraits<G>::Dof > 0;
+  { GroupTraits<G>::identity() } -> std::convertible_to<G>;
+  { GroupTraits<G>::compose(x, y) } -> std::convertible_to<G>;
+  { GroupTraits<G>::inverse(x) } -> std::convertible_to<G>;
+  { GroupTraits<G>::exp(a) } -> std::convertible_to<G>;
+  { GroupTraits<G>::log(x) } -> std::convertible_to<Tangent<G>>;
+  { GroupTraits<G>::adjoint(x, a) } -> std::convertible_to<Tangent<G>>;
+  { GroupTraits<G>::bracket(a, b) } -> std::convertible_to<Tangent<G>>;
+};
+
+/// A group that also knows the Jacobians of its exponential.
+template <typename G>
+concept LieGroupWithJacobians = LieGroup<G> && requires(const Tangent<G>& a) {
+  { GroupTraits<G>::left_jacobian(a) } -> std::convertible_to<Jacobian<G>>;
+  { GroupTraits<G>::left_jacobian_inverse(a) } -> std::convertible_to<Jacobian<G>>;
+};
+
+/// Whether X Y = Y X: brackets vanish and Adjoints are the identity, so that neither is ever computed.
+template <LieGroup G>
+inline constexpr bool is_commutative = [] {
+  if constexpr (requires { GroupTraits<G>::commutative; }) {
+    return GroupTraits<G>::commutative;
+  } else {
+    return false;
+  }
+}();
+
+/// log(x⁻¹ y): the tangent that leads from x to y. Relative accuracy for close x and y where the group provides it.
+template <LieGroup G>
+[[nodiscard]] Tangent<G> increment(const G& x, const G& y) {
+  if constexpr (requires { GroupTraits<G>::increment(x, y); }) {
+    return GroupTraits<G>::increment(x, y);
+  } else {
+    return GroupTraits<G>::log(GroupTraits<G>::compose(GroupTraits<G>::inverse(x), y));
+  }
+}
+
+/// Ad_{x⁻¹} τ: the tangent τ, seen from x.
+template <LieGroup G>
+[[nodiscard]] Tangent<G> adjoint_inverse(const G& x, const Tangent<G>& tau) {
+  if constexpr (requires { GroupTraits<G>::adjoint_inverse(x, tau); }) {
+    return GroupTraits<G>::adjoint_inverse(x, tau);
+  } else {
+    return GroupTraits<G>::adjoint(GroupTraits<G>::inverse(x), tau);
+  }
+}
+
+/// J_l(τ) of exp on G.
+template <LieGroupWithJacobians G>
+[[nodiscard]] Jacobian<G> left_jacobian(const Tangent<G>& tau) {
+  return GroupTraits<G>::left_jacobian(tau);
+}
+
+/// J_r(τ) = J_l(−τ) of exp on G.
+template <LieGroupWithJacobians G>
+[[nodiscard]] Jacobian<G> right_jacobian(const Tangent<G>& tau) {
+  return GroupTraits<G>::left_jacobian(-tau);
+}
+
+/// J_l(τ)⁻¹.
+template <LieGroupWithJacobians G>
+[[nodiscard]] Jacobian<G> left_jacobian_inverse(const Tangent<G>& tau) {
+  return GroupTraits<G>::left_jacobian_inverse(tau);
+}
+
+/// J_r(τ)⁻¹ = J_l(−τ)⁻¹.
+template <LieGroupWithJacobians G>
+[[nodiscard]] Jacobian<G> right_jacobian_inverse(const Tangent<G>& tau) {
+  return GroupTraits<G>::left_jacobian_inverse(-tau);
+}
+
+}  // namespace splinertia

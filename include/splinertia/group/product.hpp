@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+/// The direct product of Lie groups: everything works factor by factor.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <splinertia/group/lie_group.hpp>
+#include <tuple>
+#include <utility>
+
+namespace splinertia {
+
+/// An element of G₁ × G₂ × …; the tangent concatenates those of the factors in their order.
+///
+///   Product<Sophus::SO3d, Eigen::Vector3d> x{R, p};
+///   x.get<0>();               // R
+///   const auto& [R, p] = x;   // structured bindings
+template <LieGroup... G>
+class Product {
+ public:
+  static_assert(sizeof...(G) > 0, "a product has at least one factor");
+  static constexpr std::size_t size = sizeof...(G);
+
+  template <std::size_t I>
+  using Factor = std::tuple_element_t<I, std::tuple<G...>>;
+
+  /// Where the tangent of factor I begins in that of the product.
+  template <std::size_t I>
+  static constexpr int offset = [] {
+    constexpr std::array<int, size> dof{DofOf<G>...};
+    int sum = 0;
+    for (std::size_t i = 0; i < I; ++i) sum += dof[i];
+    return sum;
+  }();
+
+  /// The identity.
+  Product() : factors_{GroupTraits<G>::identity()...} {}
+  Product(const G&... factors) : factors_{factors...} {}
+
+  template <std::size_t I>
+  [[nodiscard]] const Factor<I>& get() const {
+    return std::get<I>(factors_);
+  }
+  template <std::size_t I>
+  [[nodiscard]] Factor<I>& get() {
+    return std::get<I>(factors_);
+  }
+
+ private:
+  std::tuple<G...> factors_;
+};
+
+template <LieGroup... G>
+  requires(std::same_as<ScalarOf<G>, ScalarOf<std::tuple_element_t<0, std::tuple<G...>>>> && ...)
+struct GroupTraits<Product<G...>> {
+  using P = Product<G...>;
+  using Scalar = ScalarOf<std::tuple_element_t<0, std::tuple<G...>>>;
+  static constexpr int Dof = (DofOf<G> + ...);
+  static constexpr bool commutative = (is_commutative<G> && ...);
+  using Vector = Eigen::Matrix<Scalar, Dof, 1>;
+  using Square = Eigen::Matrix<Scalar, Dof, Dof>;
+
+  static P identity() { return P{}; }
+  static P compose(const P& x, const P& y) {
+    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::compose(x.template get<I>(), y.template get<I>()); });
+  }
+  static P inverse(const P& x) {
+    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::inverse(x.template get<I>()); });
+  }
+  static P exp(const Vector& tau) {
+    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::exp(part<I>(tau)); });
+  }
+  static Vector log(const P& x) {
+    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::log(x.template get<I>()); });
+  }
+  static Vector adjoint(const P& x, const Vector& tau) {
+    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::adjoint(x.template get<I>(), part<I>(tau)); });
+  }
+  static Vector adjoint_inverse(const P& x, const Vector& tau) {
+    return tangents([&]<std::size_t I, typename F>() {
+      return splinertia::adjoint_inverse<F>(x.template get<I>(), part<I>(tau));
+    });
+  }
+  static Vector bracket(const Vector& a, const Vector& b) {
+    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::bracket(part<I>(a), part<I>(b)); });
+  }
+  static Vector increment(const P& x, const P& y) {
+    return tangents([&]<std::size_t I, typename F>() {
+      return splinertia::increment<F>(x.template get<I>(), y.template get<I>());
+    });
+  }
+  static Square left_jacobian(const Vector& tau)
+    requires(LieGroupWithJacobians<G> && ...)
+  {
+    return blocks([&]<std::size_t I, typename F>() { return GroupTraits<F>::left_jacobian(part<I>(tau)); });
+  }
+  static Square left_jacobian_inverse(const Vector& tau)
+    requires(LieGroupWithJacobians<G> && ...)
+  {
+    return blocks([&]<std::size_t I, typename F>() { return GroupTraits<F>::left_jacobian_inverse(part<I>(tau)); });
+  }
+
+  /// The part of a tangent (or of any column of Dof rows) that belongs to factor I.
+  template <std::size_t I>
+  static auto part(const Vector& tau) {
+    using F = typename P::template Factor<I>;
+    return Tangent<F>{tau.template segment<DofOf<F>>(P::template offset<I>)};
+  }
+
+ private:
+  static constexpr auto indices = std::index_sequence_for<G...>{};
+
+  // f<I, F>() gives the result for factor I of type F.
+  static P factors(const auto& f) {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return P{f.template operator()<I, G>()...}; }(indices);
+  }
+  static Vector tangents(const auto& f) {
+    Vector tau;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((tau.template segment<DofOf<G>>(P::template offset<I>) = f.template operator()<I, G>()), ...);
+    }(indices);
+    return tau;
+  }
+  static Square blocks(const auto& f) {
+    Square m = Square::Zero();
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<I>, P::template offset<I>) = f.template operator()<I, G>()),
+       ...);
+    }(indices);
+    return m;
+  }
+};
+
+}  // namespace splinertia
+
+// Structured bindings.
+template <typename... G>
+struct std::tuple_size<splinertia::Product<G...>> : std::integral_constant<std::size_t, sizeof...(G)> {};
+template <std::size_t I, typename... G>
+struct std::tuple_element<I, splinertia::Product<G...>> : std::tuple_element<I, std::tuple<G...>> {};

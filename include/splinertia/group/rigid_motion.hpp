@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// SE(3) beyond its rotation: what exp, log and the Jacobians do to the translation.
+///
+/// Tangents are τ = [ρ; φ], translation first as in Sophus. SE(3) is SO(3) over the dual numbers φ + ε ρ, so each
+/// off-diagonal block below is the directional derivative along ρ of the rotation's function, and needs no coefficient
+/// besides those of group/stumpff.hpp.
+#pragma once
+
+#include <splinertia/group/rotation.hpp>
+
+namespace splinertia {
+
+/// The translation of exp([ρ; φ]): J_l(φ) ρ = ρ + c₂ φ×ρ + c₃ φ×(φ×ρ), with the rotation's quaternion beside it.
+template <typename Scalar>
+struct RigidMotionExp {
+  Eigen::Quaternion<Scalar> rotation;
+  Vector3<Scalar> translation;
+};
+
+/// exp([ρ; φ]).
+template <typename Scalar>
+[[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
+  const auto c = stumpff<3>(Scalar(phi.squaredNorm()));
+  const Scalar s = c.half[1] / Constant<Scalar>(2);
+  const Vector3<Scalar> phi_rho = phi.cross(rho);
+  return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()},
+          rho + c.full[2] * phi_rho + c.full[3] * phi.cross(phi_rho)};
+}
+
+/// The ρ of log(T) for the translation t and the rotation vector φ of T: J_l(φ)⁻¹ t = t − φ×t/2 + E φ×(φ×t).
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rigid_motion_log(const Vector3<Scalar>& t, const Vector3<Scalar>& phi) {
+  const Scalar E = inverse_jacobian_coefficient(stumpff<3>(Scalar(phi.squaredNorm())));
+  const Vector3<Scalar> phi_t = phi.cross(t);
+  return t - phi_t / Constant<Scalar>(2) + E * phi.cross(phi_t);
+}
+
+/// φ^ρ^ + ρ^φ^, symmetric: φρᵀ + ρφᵀ − 2(φ·ρ) I.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> hat_anticommutator(const Vector3<Scalar>& phi, const Vector3<Scalar>& rho) {
+  Matrix3<Scalar> m = phi * rho.transpose() + rho * phi.transpose();
+  const Scalar xx = phi.x() * rho.x(), yy = phi.y() * rho.y(), zz = phi.z() * rho.z();
+  // The diagonal term by term: subtracting the dot product would cancel.
+  m(0, 0) = -Constant<Scalar>(2) * (yy + zz);
+  m(1, 1) = -Constant<Scalar>(2) * (xx + zz);
+  m(2, 2) = -Constant<Scalar>(2) * (xx + yy);
+  return m;
+}
+
+/// Q(ρ, φ), the upper right block of J_l([ρ; φ]):
+///   Q = c₂ ρ^ + c₃ (φ^ρ^ + ρ^φ^) + (φ·ρ)[(2c₄ − c₃) φ^ + (3c₅ − c₄) φ^²].
+/// Barfoot (7.86), rewritten; that of J_r is Q(−ρ, −φ).
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_block(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
+  const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
+  const Scalar dot = phi.dot(rho);
+  return hat<Scalar>(c.full[2] * rho) + c.full[3] * hat_anticommutator(phi, rho) +
+         hat_polynomial<Scalar>(Scalar(0), dot * stumpff_derivative<2>(c), dot * stumpff_derivative<3>(c), phi);
+}
+
+/// The upper right block of J_l([ρ; φ])⁻¹: −ρ^/2 + E (φ^ρ^ + ρ^φ^) + (φ·ρ) (dE/dθ)/θ φ^², |φ| < 2π.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_inverse_block(const Vector3<Scalar>& rho,
+                                                                             const Vector3<Scalar>& phi) {
+  const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
+  return hat<Scalar>(rho / Constant<Scalar>(-2)) + inverse_jacobian_coefficient(c) * hat_anticommutator(phi, rho) +
+         hat_polynomial<Scalar>(Scalar(0), Scalar(0), phi.dot(rho) * inverse_jacobian_coefficient_derivative(c), phi);
+}
+
+}  // namespace splinertia

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+/// SO(3) on unit quaternions and rotation vectors: what the adapter of Sophus' SO3 and SE3 is made of.
+///
+/// Quaternions are Hamilton's, q and −q are the same rotation. φ is a rotation vector in radians, φ^ its cross product
+/// matrix. No function needs a small-angle threshold of its own (group/stumpff.hpp).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <limits>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stumpff.hpp>
+
+namespace splinertia {
+
+/// exp(φ) as a quaternion (sin(θ/2) φ/θ, cos(θ/2)). Unit to rounding, not normalised.
+template <typename Scalar>
+[[nodiscard]] inline Eigen::Quaternion<Scalar> rotation_exp(const Vector3<Scalar>& phi) {
+  const auto h = stumpff<1>(Scalar(phi.squaredNorm())).half;
+  const Scalar s = h[1] / Constant<Scalar>(2);
+  return {h[0], s * phi.x(), s * phi.y(), s * phi.z()};
+}
+
+/// The rotation vector, |φ| ≤ π, of the quaternion (v, w) with w ≥ 0, of any length: φ = v 2 atan2(|v|, w)/|v|.
+/// At w = 0 (a rotation by π) the sign of v is kept.
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rotation_log_folded(const Vector3<Scalar>& v, const Scalar& w) {
+  using Real = Constant<Scalar>;
+  using std::atan2, std::sqrt;
+  const Scalar n2 = v.squaredNorm();
+  if (n2 < std::numeric_limits<Real>::epsilon() * w * w) {
+    // Two terms of the arc tangent's series; the next is (2/5)(|v|/w)⁴ < eps². Holds where n2 underflows, too.
+    return v * Scalar((Real(2) - Real(2) / Real(3) * n2 / (w * w)) / w);
+  }
+  const Scalar n = sqrt(n2);
+  return v * Scalar(Real(2) * atan2(n, w) / n);
+}
+
+/// The rotation vector of a quaternion of any length other than zero, |φ| ≤ π. Relative error below 2 eps everywhere.
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rotation_log(const Eigen::Quaternion<Scalar>& q) {
+  if (q.w() < Constant<Scalar>(0)) return rotation_log_folded<Scalar>(-q.vec(), -q.w());
+  return rotation_log_folded<Scalar>(q.vec(), q.w());
+}
+
+/// log(a⁻¹ b). The product is taken of a and b − a, which is exact for close a and b (Sterbenz), so that the relative
+/// error stays at eps however small the rotation between them; equal quaternions give exactly zero.
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rotation_increment(const Eigen::Quaternion<Scalar>& a,
+                                                        const Eigen::Quaternion<Scalar>& b) {
+  const Scalar dot = a.dot(b);
+  const bool flip = dot < Constant<Scalar>(0);
+  const Vector3<Scalar> b_vec = flip ? Vector3<Scalar>(-b.vec()) : Vector3<Scalar>(b.vec());
+  const Scalar b_w = flip ? Scalar(-b.w()) : b.w();
+  const Vector3<Scalar> d = b_vec - a.vec();
+  const Scalar d_w = b_w - a.w();
+  const Vector3<Scalar> v = a.w() * d - d_w * a.vec() - a.vec().cross(d);
+  return rotation_log_folded<Scalar>(v, flip ? Scalar(-dot) : dot);
+}
+
+/// R v for the unit quaternion q of R.
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rotate(const Eigen::Quaternion<Scalar>& q, const Vector3<Scalar>& v) {
+  const Vector3<Scalar> t = Constant<Scalar>(2) * q.vec().cross(v);
+  return v + q.w() * t + q.vec().cross(t);
+}
+
+/// Rᵀ v for the unit quaternion q of R.
+template <typename Scalar>
+[[nodiscard]] inline Vector3<Scalar> rotate_inverse(const Eigen::Quaternion<Scalar>& q, const Vector3<Scalar>& v) {
+  const Vector3<Scalar> t = Constant<Scalar>(2) * v.cross(q.vec());
+  return v + q.w() * t + t.cross(q.vec());
+}
+
+/// φ^, the matrix with φ^ v = φ × v.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> hat(const Vector3<Scalar>& phi) {
+  const Scalar zero(0);
+  Matrix3<Scalar> m;
+  m << zero, -phi.z(), phi.y(), phi.z(), zero, -phi.x(), -phi.y(), phi.x(), zero;
+  return m;
+}
+
+/// a φ^ + b φ^² + c I, the form of every Jacobian of SO(3).
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> hat_polynomial(const Scalar& c, const Scalar& a, const Scalar& b,
+                                                    const Vector3<Scalar>& phi) {
+  const Vector3<Scalar> s = b * phi;
+  const Vector3<Scalar> t = a * phi;
+  const Scalar xy = s.x() * phi.y(), xz = s.x() * phi.z(), yz = s.y() * phi.z();
+  const Scalar xx = s.x() * phi.x(), yy = s.y() * phi.y(), zz = s.z() * phi.z();
+  Matrix3<Scalar> m;
+  m << c - (yy + zz), xy - t.z(), xz + t.y(),  //
+      xy + t.z(), c - (xx + zz), yz - t.x(),   //
+      xz - t.y(), yz + t.x(), c - (xx + yy);
+  return m;
+}
+
+/// J_l(φ) = I + c₂ φ^ + c₃ φ^². Barfoot, State Estimation for Robotics (2017), (7.77).
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> rotation_left_jacobian(const Vector3<Scalar>& phi) {
+  const auto c = stumpff<3>(Scalar(phi.squaredNorm())).full;
+  return hat_polynomial<Scalar>(Scalar(1), c[2], c[3], phi);
+}
+
+/// J_l(φ)⁻¹ = I − φ^/2 + E φ^², |φ| < 2π. Barfoot (7.76), with E in a form that is exact at π.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> rotation_left_jacobian_inverse(const Vector3<Scalar>& phi) {
+  const Scalar E = inverse_jacobian_coefficient(stumpff<3>(Scalar(phi.squaredNorm())));
+  return hat_polynomial<Scalar>(Scalar(1), Scalar(Constant<Scalar>(-1) / Constant<Scalar>(2)), E, phi);
+}
+
+}  // namespace splinertia

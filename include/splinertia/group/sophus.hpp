@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+/// Sophus' SO2, SO3, SE2 and SE3 as groups. Sophus supplies the types, which users already have; exp, log, products and
+/// Jacobians are this library's own (Sophus' lose digits near 0 and near π, and renormalise at each product).
+///
+/// Tangents are in Sophus' order: SE2 [x y θ], SE3 [translation; rotation].
+#pragma once
+
+#include <sophus/se2.hpp>
+#include <sophus/se3.hpp>
+#include <splinertia/group/planar_motion.hpp>
+#include <splinertia/group/rigid_motion.hpp>
+#include <splinertia/group/rotation.hpp>
+
+namespace splinertia {
+
+/// The Sophus rotation of a quaternion taken as it is: Sophus' own constructor would normalise it.
+template <typename Scalar>
+[[nodiscard]] inline Sophus::SO3<Scalar> rotation_from_unit_quaternion(const Eigen::Quaternion<Scalar>& q) {
+  Sophus::SO3<Scalar> R;
+  Eigen::Map<Eigen::Quaternion<Scalar>>(R.data()) = q;
+  return R;
+}
+
+/// The Sophus rotation of a complex number taken as it is.
+template <typename Scalar>
+[[nodiscard]] inline Sophus::SO2<Scalar> rotation_from_unit_complex(const Scalar& real, const Scalar& imaginary) {
+  Sophus::SO2<Scalar> R;
+  R.data()[0] = real;
+  R.data()[1] = imaginary;
+  return R;
+}
+
+template <typename Real>
+struct GroupTraits<Sophus::SO2<Real>> {
+  using Scalar = Real;
+  using G = Sophus::SO2<Real>;
+  using Vector = Eigen::Matrix<Real, 1, 1>;
+  static constexpr int Dof = 1;
+  static constexpr bool commutative = true;
+
+  static G identity() { return G{}; }
+  static G compose(const G& x, const G& y) {
+    const auto& a = x.unit_complex();
+    const auto& b = y.unit_complex();
+    return rotation_from_unit_complex<Real>(a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x());
+  }
+  static G inverse(const G& x) { return rotation_from_unit_complex<Real>(x.unit_complex().x(), -x.unit_complex().y()); }
+  static G exp(const Vector& tau) {
+    using std::cos, std::sin;
+    return rotation_from_unit_complex<Real>(cos(tau[0]), sin(tau[0]));
+  }
+  static Vector log(const G& x) {
+    using std::atan2;
+    return Vector{Real(atan2(x.unit_complex().y(), x.unit_complex().x()))};
+  }
+  static Vector adjoint(const G&, const Vector& tau) { return tau; }
+  static Vector bracket(const Vector&, const Vector&) { return Vector::Zero(); }
+  /// The sine is taken of a and b − a, so that it is exact for close a and b.
+  static Vector increment(const G& x, const G& y) {
+    using std::atan2;
+    const auto& a = x.unit_complex();
+    const Vector2<Real> d = y.unit_complex() - a;
+    return Vector{Real(atan2(a.x() * d.y() - a.y() * d.x(), a.dot(y.unit_complex())))};
+  }
+  static Vector left_jacobian(const Vector&) { return Vector::Ones(); }
+  static Vector left_jacobian_inverse(const Vector&) { return Vector::Ones(); }
+};
+
+template <typename Real>
+struct GroupTraits<Sophus::SO3<Real>> {
+  using Scalar = Real;
+  using G = Sophus::SO3<Real>;
+  using Vector = Vector3<Real>;
+  static constexpr int Dof = 3;
+
+  static G identity() { return G{}; }
+  static G compose(const G& x, const G& y) {
+    return rotation_from_unit_quaternion<Real>(x.unit_quaternion() * y.unit_quaternion());
+  }
+  static G inverse(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().conjugate()); }
+  static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(tau)); }
+  static Vector log(const G& x) { return rotation_log<Real>(x.unit_quaternion()); }
+  static Vector adjoint(const G& x, const Vector& tau) { return rotate<Real>(x.unit_quaternion(), tau); }
+  static Vector adjoint_inverse(const G& x, const Vector& tau) { return rotate_inverse<Real>(x.unit_quaternion(), tau); }
+  static Vector bracket(const Vector& a, const Vector& b) { return a.cross(b); }
+  static Vector increment(const G& x, const G& y) {
+    return rotation_increment<Real>(x.unit_quaternion(), y.unit_quaternion());
+  }
+  static Matrix3<Real> left_jacobian(const Vector& tau) { return rotation_left_jacobian<Real>(tau); }
+  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) { return rotation_left_jacobian_inverse<Real>(tau); }
+};
+
+template <typename Real>
+struct GroupTraits<Sophus::SE2<Real>> {
+  using Scalar = Real;
+  using G = Sophus::SE2<Real>;
+  using SO2 = GroupTraits<Sophus::SO2<Real>>;
+  using Vector = Vector3<Real>;
+  static constexpr int Dof = 3;
+
+  static G identity() { return G{}; }
+  static G compose(const G& x, const G& y) {
+    return make(SO2::compose(x.so2(), y.so2()), x.translation() + turn(x.so2(), y.translation()));
+  }
+  static G inverse(const G& x) {
+    const auto R_inverse = SO2::inverse(x.so2());
+    return make(R_inverse, -turn(R_inverse, x.translation()));
+  }
+  static G exp(const Vector& tau) {
+    return make(SO2::exp(tau.template tail<1>()), planar_motion_exp<Real>(tau.template head<2>(), tau[2]));
+  }
+  static Vector log(const G& x) { return logarithm(x.translation(), SO2::log(x.so2())[0]); }
+  /// Ad_x [ρ; θ] = [Rρ − θ i t; θ]
+  static Vector adjoint(const G& x, const Vector& tau) {
+    const Vector2<Real> rho = turn(x.so2(), tau.template head<2>()) - tau[2] * quarter_turn<Real>(x.translation());
+    return {rho.x(), rho.y(), tau[2]};
+  }
+  static Vector adjoint_inverse(const G& x, const Vector& tau) {
+    const Vector2<Real> rho =
+        turn(SO2::inverse(x.so2()), tau.template head<2>() + tau[2] * quarter_turn<Real>(x.translation()));
+    return {rho.x(), rho.y(), tau[2]};
+  }
+  /// [a, b] = [θ_a i ρ_b − θ_b i ρ_a; 0]
+  static Vector bracket(const Vector& a, const Vector& b) {
+    const Vector2<Real> rho = quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
+    return {rho.x(), rho.y(), Real(0)};
+  }
+  /// The translations are subtracted in the world, where that is exact for close x and y.
+  static Vector increment(const G& x, const G& y) {
+    return logarithm(turn(SO2::inverse(x.so2()), y.translation() - x.translation()), SO2::increment(x.so2(), y.so2())[0]);
+  }
+  static Matrix3<Real> left_jacobian(const Vector& tau) {
+    return planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
+  }
+  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
+    return planar_motion_left_jacobian_inverse<Real>(tau.template head<2>(), tau[2]);
+  }
+
+ private:
+  static G make(const Sophus::SO2<Real>& R, const Vector2<Real>& t) {
+    G x;
+    x.so2() = R;
+    x.translation() = t;
+    return x;
+  }
+  static Vector2<Real> turn(const Sophus::SO2<Real>& R, const Vector2<Real>& v) {
+    return R.unit_complex().x() * v + R.unit_complex().y() * quarter_turn<Real>(v);
+  }
+  static Vector logarithm(const Vector2<Real>& t, const Real& theta) {
+    const Vector2<Real> rho = planar_motion_log<Real>(t, theta);
+    return {rho.x(), rho.y(), theta};
+  }
+};
+
+template <typename Real>
+struct GroupTraits<Sophus::SE3<Real>> {
+  using Scalar = Real;
+  using G = Sophus::SE3<Real>;
+  using Vector = Eigen::Matrix<Real, 6, 1>;
+  using Square = Eigen::Matrix<Real, 6, 6>;
+  static constexpr int Dof = 6;
+
+  static G identity() { return G{}; }
+  static G compose(const G& x, const G& y) {
+    const auto& q = x.unit_quaternion();
+    return make(q * y.unit_quaternion(), x.translation() + rotate<Real>(q, y.translation()));
+  }
+  static G inverse(const G& x) {
+    const auto& q = x.unit_quaternion();
+    return make(q.conjugate(), -rotate_inverse<Real>(q, x.translation()));
+  }
+  static G exp(const Vector& tau) {
+    const auto x = rigid_motion_exp<Real>(tau.template head<3>(), tau.template tail<3>());
+    return make(x.rotation, x.translation);
+  }
+  static Vector log(const G& x) { return logarithm(x.translation(), rotation_log<Real>(x.unit_quaternion())); }
+  /// Ad_x [ρ; φ] = [Rρ + t × Rφ; Rφ]
+  static Vector adjoint(const G& x, const Vector& tau) {
+    const auto& q = x.unit_quaternion();
+    const Vector3<Real> phi = rotate<Real>(q, tau.template tail<3>());
+    return join(rotate<Real>(q, tau.template head<3>()) + x.translation().cross(phi), phi);
+  }
+  /// Ad_{x⁻¹} [ρ; φ] = [Rᵀ(ρ − t × φ); Rᵀφ]
+  static Vector adjoint_inverse(const G& x, const Vector& tau) {
+    const auto& q = x.unit_quaternion();
+    const Vector3<Real> phi = tau.template tail<3>();
+    return join(rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)), rotate_inverse<Real>(q, phi));
+  }
+  /// [a, b] = [φ_a × ρ_b + ρ_a × φ_b; φ_a × φ_b]
+  static Vector bracket(const Vector& a, const Vector& b) {
+    const Vector3<Real> rho_a = a.template head<3>(), phi_a = a.template tail<3>();
+    const Vector3<Real> rho_b = b.template head<3>(), phi_b = b.template tail<3>();
+    return join(phi_a.cross(rho_b) + rho_a.cross(phi_b), phi_a.cross(phi_b));
+  }
+  /// The translations are subtracted in the world, where that is exact for close x and y, however large they are.
+  static Vector increment(const G& x, const G& y) {
+    const auto& q = x.unit_quaternion();
+    return logarithm(rotate_inverse<Real>(q, y.translation() - x.translation()),
+                     rotation_increment<Real>(q, y.unit_quaternion()));
+  }
+  static Square left_jacobian(const Vector& tau) {
+    const Vector3<Real> rho = tau.template head<3>(), phi = tau.template tail<3>();
+    return blocks(rotation_left_jacobian<Real>(phi), rigid_motion_left_jacobian_block<Real>(rho, phi));
+  }
+  static Square left_jacobian_inverse(const Vector& tau) {
+    const Vector3<Real> rho = tau.template head<3>(), phi = tau.template tail<3>();
+    return blocks(rotation_left_jacobian_inverse<Real>(phi), rigid_motion_left_jacobian_inverse_block<Real>(rho, phi));
+  }
+
+ private:
+  static G make(const Eigen::Quaternion<Real>& q, const Vector3<Real>& t) {
+    G x;
+    x.so3() = rotation_from_unit_quaternion<Real>(q);
+    x.translation() = t;
+    return x;
+  }
+  static Vector join(const Vector3<Real>& rho, const Vector3<Real>& phi) {
+    Vector tau;
+    tau << rho, phi;
+    return tau;
+  }
+  static Vector logarithm(const Vector3<Real>& t, const Vector3<Real>& phi) {
+    return join(rigid_motion_log<Real>(t, phi), phi);
+  }
+  static Square blocks(const Matrix3<Real>& diagonal, const Matrix3<Real>& upper) {
+    Square m;
+    m << diagonal, upper, Matrix3<Real>::Zero(), diagonal;
+    return m;
+  }
+};
+
+}  // namespace splinertia

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+/// What a perfect IMU measures.
+#pragma once
+
+#include <splinertia/group/pose.hpp>
+#include <splinertia/motion/kinematics.hpp>
+
+namespace splinertia {
+
+/// The acceleration of free fall in the world, m/s²: standard gravity (ISO 80000-3), z up.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> standard_gravity() {
+  return {Scalar(0), Scalar(0), Scalar(-980665) / Scalar(100000)};
+}
+
+/// One measurement of both sensors, in the IMU's axes.
+template <typename Scalar>
+struct ImuMeasurement {
+  Vector3<Scalar> gyro;   ///< angular velocity, rad/s
+  Vector3<Scalar> accel;  ///< specific force, m/s²
+};
+
+/// Where the IMU is mounted when it is not the body frame itself.
+template <typename Scalar>
+struct LeverArm {
+  Sophus::SO3<Scalar> R_BI;  ///< takes vectors in the IMU's axes to the body's
+  Vector3<Scalar> p_BI;      ///< the IMU's origin in the body, m
+};
+
+/// The measurement of an IMU in the body frame: gyro = ω, accel = Rᵀ(p̈ − gravity). `gravity` in the world, m/s².
+template <Pose G, int D>
+  requires(D >= 2)
+[[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(
+    const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity = standard_gravity<ScalarOf<G>>()) {
+  return {angular_velocity(motion), specific_force(motion, gravity)};
+}
+
+/// The measurement of an IMU on a lever arm l: to the specific force at the body's origin it adds the Euler term α × l and
+/// the centripetal term ω × (ω × l), and turns both readings into the IMU's axes. Savage, Strapdown Analytics (2000), 7.1.
+template <Pose G, int D>
+  requires(D >= 2)
+[[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity,
+                                                    const LeverArm<ScalarOf<G>>& arm) {
+  using Scalar = ScalarOf<G>;
+  const auto [omega, force] = ideal_imu(motion, gravity);
+  const auto& q_BI = arm.R_BI.unit_quaternion();
+  const Vector3<Scalar> at_arm =
+      force + angular_acceleration(motion).cross(arm.p_BI) + omega.cross(omega.cross(arm.p_BI));
+  return {rotate_inverse<Scalar>(q_BI, omega), rotate_inverse<Scalar>(q_BI, at_arm)};
+}
+
+}  // namespace splinertia

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+/// The files of a EuRoC sequence. euroc_imu.hpp by itself does without Sophus.
+#pragma once
+
+#include <splinertia/io/euroc_groundtruth.hpp>
+#include <splinertia/io/euroc_imu.hpp>

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+/// IMU samples as the EuRoC MAV dataset (ASL format) writes them: lines `ns,wx,wy,wz,ax,ay,az`.
+/// Burri et al., "The EuRoC micro aerial vehicle datasets", IJRR 2016.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <filesystem>
+#include <ranges>
+#include <splinertia/io/stamped_table.hpp>
+#include <splinertia/io/stamped_table_writer.hpp>
+#include <splinertia/io/table_layout.hpp>
+#include <string_view>
+#include <vector>
+
+namespace splinertia {
+
+/// One sample: angular velocity [rad/s] and specific force [m/s²] in B.
+struct EurocImu {
+  std::chrono::nanoseconds time;
+  Eigen::Vector3d gyro, accel;
+};
+
+inline constexpr std::array<std::string_view, 7> euroc_imu_columns{
+    "timestamp [ns]",    "w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]",
+    "a_RS_S_x [m s^-2]", "a_RS_S_y [m s^-2]",   "a_RS_S_z [m s^-2]"};
+
+inline constexpr TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
+                                              .columns = euroc_imu_columns,
+                                              .fewest_columns = euroc_imu_columns.size(),
+                                              .stamp = TableLayout::Stamp::nanoseconds,
+                                              .separator = ',',
+                                              .header = true};
+
+/// The samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with file:line
+/// for the first thing wrong (StampedTable).
+[[nodiscard]] inline std::vector<EurocImu> read_euroc_imu(const std::filesystem::path& path) {
+  return read_stamped_table(path, euroc_imu_layout, [](const StampedTable& row) {
+    return EurocImu{row.time(), row.vector(1), row.vector(4)};
+  });
+}
+
+/// Writes a EuRoC IMU file sample by sample, in constant memory; the file appears with commit() and reads back to the
+/// same bits. Members throw std::runtime_error if the file cannot be written, std::invalid_argument for what
+/// read_euroc_imu would refuse: no samples, NaN, times that do not increase.
+class EurocImuWriter {
+ public:
+  explicit EurocImuWriter(const std::filesystem::path& path) : table_(path, euroc_imu_layout) {}
+
+  /// One sample: anything with time (integer nanoseconds), gyro [rad/s] and accel [m/s²].
+  void append(const auto& sample) requires std::convertible_to<decltype(sample.time), std::chrono::nanoseconds> {
+    table_.append(sample.time, sample.gyro, sample.accel);
+  }
+
+  void commit() { table_.commit(); }
+
+ private:
+  StampedTableWriter table_;
+};
+
+/// Writes all samples of a range; as EurocImuWriter.
+template <std::ranges::input_range Samples>
+void write_euroc_imu(const std::filesystem::path& path, Samples&& samples) {
+  EurocImuWriter writer(path);
+  for (const auto& sample : samples) writer.append(sample);
+  writer.commit();
+}
+
+}  // namespace splinertia

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+/// Numbers and their decimal text, both ways, whatever the locale says. Strict: a text is the number and nothing else.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+#include <version>
+
+#if !defined(__cpp_lib_to_chars)  // libstdc++ 10, libc++ before 20: no std::from_chars for double
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#if defined(__APPLE__)
+#include <xlocale.h>
+#endif
+#include <limits>
+#include <string>
+#endif
+
+namespace splinertia {
+
+/// What a text was read as. `problem` is null when `value` is good, otherwise it completes the sentence `"text" …`.
+template <typename T>
+struct Parsed {
+  T value{};
+  const char* problem = nullptr;
+};
+
+/// Room that real_to_chars and integer_to_chars need.
+inline constexpr int number_text_size = 32;
+
+#if !defined(__cpp_lib_to_chars)
+/// The "C" locale, where the decimal point is a point.
+[[nodiscard]] inline ::locale_t c_locale() {
+  static const ::locale_t locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  return locale;
+}
+
+/// Stands in for std::from_chars, for texts that begin with a digit or point behind an optional minus sign.
+[[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
+  const std::string text(first, last);  // strtod wants a terminating zero
+  if (text.find_first_of("xX") != std::string::npos) return {first, std::errc::invalid_argument};
+  char* end = nullptr;
+  value = ::strtod_l(text.c_str(), &end, c_locale());
+  const bool fits = value >= std::numeric_limits<double>::lowest() && value <= std::numeric_limits<double>::max();
+  return {first + (end - text.c_str()), fits ? std::errc{} : std::errc::result_out_of_range};
+}
+
+/// Stands in for std::to_chars: 17 digits instead of the fewest.
+inline char* real_to_chars(char* first, double value) {
+  const ::locale_t before = ::uselocale(c_locale());
+  const int length = ::snprintf(first, number_text_size, "%.17g", value);
+  ::uselocale(before);
+  return first + length;
+}
+#else
+[[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
+  return std::from_chars(first, last, value);
+}
+
+/// Writes a double in the fewest digits that read back to the same bits and returns the end of the text.
+/// Requires room for number_text_size characters.
+inline char* real_to_chars(char* first, double value) {
+  return std::to_chars(first, first + number_text_size, value).ptr;
+}
+#endif
+
+/// Writes an integer and returns the end of the text. Requires room for number_text_size characters.
+inline char* integer_to_chars(char* first, std::int64_t value) {
+  return std::to_chars(first, first + number_text_size, value).ptr;
+}
+
+/// Reads a finite decimal number: digits with an optional sign, point and exponent. Everything else is a problem: NaN,
+/// infinity, hexadecimal, overflow, anything before or after the number.
+[[nodiscard]] inline Parsed<double> parse_real(std::string_view text) {
+  const bool plus = text.starts_with('+');  // std::from_chars takes no plus sign
+  if (plus) text.remove_prefix(1);
+  const std::string_view digits = text.substr(!plus && text.starts_with('-') ? 1 : 0);
+  if (digits.starts_with('n') || digits.starts_with('N') || digits.starts_with('i') || digits.starts_with('I')) {
+    return {0, "is not a finite number"};
+  }
+  const bool begins_well = !digits.empty() && ((digits[0] >= '0' && digits[0] <= '9') || digits[0] == '.');
+  Parsed<double> number;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = begins_well ? real_from_chars(text.data(), last, number.value)
+                                        : std::from_chars_result{text.data(), std::errc::invalid_argument};
+  if (error == std::errc::invalid_argument || end != last) {
+    number.problem = "is not a number";
+  } else if (error != std::errc{}) {
+    number.problem = "is out of the range of a double";
+  }
+  return number;
+}
+
+/// Reads a 64-bit integer: digits behind an optional minus sign, exactly.
+[[nodiscard]] inline Parsed<std::int64_t> parse_integer(std::string_view text) {
+  Parsed<std::int64_t> number;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number.value);
+  if (error == std::errc::invalid_argument || end != last) {
+    number.problem = "is not an integer";
+  } else if (error != std::errc{}) {
+    number.problem = "does not fit in 64 bits";
+  }
+  return number;
+}
+
+}  // namespace splinertia

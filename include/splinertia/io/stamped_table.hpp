@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+/// Reading tables whose rows are a time and some numbers: what TUM and EuRoC files have in common.
+#pragma once
+
+#include <Eigen/Core>
+#include <cassert>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <splinertia/io/number_text.hpp>
+#include <splinertia/io/seconds_text.hpp>
+#include <splinertia/io/table_layout.hpp>
+#include <splinertia/io/text_file.hpp>
+#include <splinertia/message.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Reads the rows of a table one after the other and throws std::runtime_error with file:line, the value and what was
+/// expected for the first thing that is not as the layout says: columns missing or too many, a number that is none or
+/// not finite, a time that does not come after the one before, a file without rows.
+///
+///   StampedTable table(path, layout);
+///   while (table.next()) use(table.time(), table[1], table.vector(2));
+class StampedTable {
+ public:
+  StampedTable(const std::filesystem::path& path, const TableLayout& layout) : file_(path), layout_(layout) {}
+
+  /// Goes to the next row; false at the end of the file.
+  [[nodiscard]] bool next() {
+    if (!file_.next()) {
+      if (!time_) file_.fail("no rows, expected ", layout_.format, ": ", layout_.names());
+      return false;
+    }
+    split_fields(file_.line(), fields_);
+    check_columns();
+    check_time();
+    values_.resize(fields_.size());
+    for (std::size_t i = 1; i < fields_.size(); ++i) values_[i] = value_of(parse_real(fields_[i]), i);
+    return true;
+  }
+
+  [[nodiscard]] std::chrono::nanoseconds time() const { return *time_; }
+
+  /// The number in a column; the first after the time has index 1.
+  [[nodiscard]] double operator[](std::size_t column) const {
+    assert(column > 0 && column < values_.size());
+    return values_[column];
+  }
+
+  /// The numbers in a column and the two to its right.
+  [[nodiscard]] Eigen::Vector3d vector(std::size_t column) const {
+    return {(*this)[column], (*this)[column + 1], (*this)[column + 2]};
+  }
+
+  /// Throws std::runtime_error "path:line: …" about the present row.
+  template <typename... Parts>
+  [[noreturn]] void fail(const Parts&... what) const {
+    file_.fail(what...);
+  }
+
+ private:
+  template <typename T>
+  [[nodiscard]] T value_of(const Parsed<T>& parsed, std::size_t i) const {
+    if (parsed.problem) {
+      fail(excerpt(fields_[i]), ' ', parsed.problem, ", expected ", layout_.columns[i], " in column ", i + 1);
+    }
+    return parsed.value;
+  }
+
+  void check_columns() const {
+    const std::size_t most = layout_.columns.size(), fewest = layout_.fewest_columns, count = fields_.size();
+    if (layout_.separator == ' ' && file_.line().find(',') != std::string_view::npos) {
+      fail(excerpt(file_.line()), " has commas, expected ", layout_.format, " with blanks: ", layout_.names());
+    }
+    if (count != most && count != fewest) {
+      const std::string expected = fewest == most ? message(most) : message(fewest, " or ", most);
+      fail(count, count == 1 ? " column" : " columns", ", expected ", expected, " of ", layout_.format, ": ",
+           layout_.names());
+    }
+    if (time_ && count != values_.size()) fail(count, " columns, expected ", values_.size(), " as in the rows before");
+  }
+
+  void check_time() {
+    const bool seconds = layout_.stamp == TableLayout::Stamp::seconds;
+    std::chrono::nanoseconds time{};
+    if (seconds) {
+      time = value_of(parse_seconds(fields_[0]), 0);
+    } else {
+      time = std::chrono::nanoseconds{value_of(parse_integer(fields_[0]), 0)};
+    }
+    if (time_ && time <= *time_) {
+      fail("time ", fields_[0], " follows ", stamp_, ", expected increasing ", layout_.columns[0]);
+    }
+    time_ = time;
+    stamp_ = fields_[0];
+  }
+
+  TextFile file_;
+  TableLayout layout_;
+  std::vector<std::string_view> fields_;
+  std::vector<double> values_;  // by column; the first is unused
+  std::optional<std::chrono::nanoseconds> time_;
+  std::string stamp_;  // time_ as the file writes it
+};
+
+/// All rows of a table, each as `parse(const StampedTable&)` makes it. Throws as StampedTable does.
+template <typename Parse>
+[[nodiscard]] auto read_stamped_table(const std::filesystem::path& path, const TableLayout& layout, Parse parse) {
+  std::vector<decltype(parse(std::declval<const StampedTable&>()))> rows;
+  StampedTable table(path, layout);
+  while (table.next()) rows.push_back(parse(std::as_const(table)));
+  return rows;
+}
+
+}  // namespace splinertia

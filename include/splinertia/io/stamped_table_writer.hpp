@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cassert>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/table_layout.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+
+namespace splinertia {
+
+/// Writes a table row by row, so that a long one needs no memory. The file appears with commit(). What StampedTable
+/// would refuse is refused here with std::invalid_argument: NaN, infinity, times that do not increase, no rows at all.
+/// Throws std::runtime_error when the system refuses.
+class StampedTableWriter {
+ public:
+  StampedTableWriter(const std::filesystem::path& path, const TableLayout& layout) : file_(path), layout_(layout) {
+    if (!layout.header) return;
+    file_.append('#');
+    file_.append(layout.names());
+    file_.append('\n');
+  }
+
+  /// One row: a time and column vectors, whose elements together fill the columns.
+  template <typename... Vector>
+  void append(std::chrono::nanoseconds time, const Vector&... values) {
+    assert(static_cast<std::size_t>((1 + ... + values.size())) == layout_.columns.size());
+    if (time_ && time <= *time_) {
+      file_.abandon();
+      throw std::invalid_argument(message(file_.path().string(), ": time ", time.count(), " ns follows ",
+                                          time_->count(), " ns, expected increasing times"));
+    }
+    time_ = time;
+    if (layout_.stamp == TableLayout::Stamp::seconds) {
+      file_.append_seconds(time);
+    } else {
+      file_.append_integer(time.count());
+    }
+    (append_values(values), ...);
+    file_.append('\n');
+  }
+
+  /// Completes the file.
+  void commit() {
+    if (!time_) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
+    file_.commit();
+  }
+
+ private:
+  void append_values(const auto& values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      file_.append(layout_.separator);
+      file_.append_real(values[i]);
+    }
+  }
+
+  AtomicFile file_;
+  TableLayout layout_;
+  std::optional<std::chrono::nanoseconds> time_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+/// Trajectories as the TUM RGB-D benchmark writes them: lines `t tx ty tz qx qy qz qw`, time in seconds.
+/// https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <concepts>
+#include <filesystem>
+#include <ranges>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/io/quaternion_track.hpp>
+#include <splinertia/io/stamped_table.hpp>
+#include <splinertia/io/stamped_table_writer.hpp>
+#include <splinertia/io/table_layout.hpp>
+#include <string_view>
+#include <vector>
+
+namespace splinertia {
+
+/// Has a `time` in integer nanoseconds and a pose T_WB of doubles as `value`.
+template <typename T>
+concept StampedPose = requires(const T& stamped) {
+  { stamped.time } -> std::convertible_to<std::chrono::nanoseconds>;
+  { position(stamped.value) } -> std::same_as<const Vector3<double>&>;
+};
+
+inline constexpr std::array<std::string_view, 8> tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+
+/// Blanks between the columns, as the format says; no header, because not every reader skips it.
+inline constexpr TableLayout tum_layout{.format = "a TUM trajectory",
+                                        .columns = tum_columns,
+                                        .fewest_columns = tum_columns.size(),
+                                        .stamp = TableLayout::Stamp::seconds,
+                                        .separator = ' ',
+                                        .header = false};
+
+/// The poses T_WB [m] of a TUM file. Times are read exactly, to the nearest nanosecond; quaternions become unit and of
+/// continuous sign (QuaternionTrack). Throws std::runtime_error with file:line for the first thing wrong
+/// (StampedTable).
+[[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_tum(const std::filesystem::path& path) {
+  return read_stamped_table(path, tum_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
+    const Sophus::SO3d R_WB = track.next(row, {row[7], row[4], row[5], row[6]});
+    return Stamped<SO3xR3<double>>{row.time(), {R_WB, row.vector(1)}};
+  });
+}
+
+/// Writes a TUM file pose by pose, in constant memory; the file appears with commit() and reads back to the same bits.
+/// Times have nine decimals and are exact. Members throw std::runtime_error if the file cannot be written,
+/// std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
+class TumWriter {
+ public:
+  explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
+
+  void append(const StampedPose auto& stamped) {
+    table_.append(stamped.time, position(stamped.value), rotation(stamped.value).unit_quaternion().coeffs());
+  }
+
+  void commit() { table_.commit(); }
+
+ private:
+  StampedTableWriter table_;
+};
+
+/// Writes all poses T_WB [m] of a range; as TumWriter.
+template <std::ranges::input_range Poses>
+requires StampedPose<std::ranges::range_value_t<Poses>>
+void write_tum(const std::filesystem::path& path, Poses&& poses) {
+  TumWriter writer(path);
+  for (const auto& stamped : poses) writer.append(stamped);
+  writer.commit();
+}
+
+}  // namespace splinertia

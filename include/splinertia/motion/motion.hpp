@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/group/lie_group.hpp>
+
+namespace splinertia {
+
+// One base a derivative; the primary templates are empty, so that what was not asked for is not there.
+template <LieGroup G, bool exists>
+struct MotionVelocity {};
+template <LieGroup G>
+struct MotionVelocity<G, true> {
+  Tangent<G> velocity;  ///< ω with X⁻¹ dX/dt = ω^: body frame; per second
+};
+
+template <LieGroup G, bool exists>
+struct MotionAcceleration {};
+template <LieGroup G>
+struct MotionAcceleration<G, true> {
+  Tangent<G> acceleration;  ///< dω/dt; per second²
+};
+
+template <LieGroup G, bool exists>
+struct MotionJerk {};
+template <LieGroup G>
+struct MotionJerk<G, true> {
+  Tangent<G> jerk;  ///< d²ω/dt²; per second³
+};
+
+/// Where a curve X(t) on G is at one time, and its derivatives up to the D-th, D = 0 … 3. A derivative that was not
+/// asked for does not exist: reading it is a compile error, not a zero.
+template <LieGroup G, int D>
+  requires(0 <= D && D <= 3)
+struct Motion : MotionVelocity<G, (D >= 1)>, MotionAcceleration<G, (D >= 2)>, MotionJerk<G, (D >= 3)> {
+  using Group = G;
+  G value;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+/// The value and derivatives of a cumulative B-spline on a Lie group from its control points and basis, with no Spline
+/// object: for control points that an optimiser owns.
+///
+///   X(t) = X_0 A_1 … A_{k−1},  A_j = exp(λ_j d_j),  d_j = log(X_{j−1}⁻¹ X_j)
+///
+/// Sommer et al., "Efficient Derivative Computation for Cumulative B-Splines on Lie Groups", CVPR 2020, (24)–(31), run
+/// backwards: with P = A_{j+1} … A_{k−1}, each factor needs one tangent vector to be seen from P instead of one for every
+/// derivative, and value and all derivatives come out of the same pass.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/product.hpp>
+#include <splinertia/motion/motion.hpp>
+#include <splinertia/spline/basis.hpp>
+
+namespace splinertia {
+
+/// The curve from its first control point and its increments; d(j) returns d_{j+1}, j = 0 … Order − 2.
+/// Linear in the order; calls exp once for each increment (once in all on a commutative group) and no logarithm.
+template <int D, LieGroup G, int Order>
+[[nodiscard]] inline Motion<G, D> evaluate_increments(const G& first, const auto& d,
+                                                      const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  using Traits = GroupTraits<G>;
+  using Scalar = ScalarOf<G>;
+  constexpr std::size_t last = Order - 2;
+  const auto& lambda = basis.lambda;
+  // Sums over the increments behind the current one, all seen from the end of the chain.
+  Motion<G, D> m;
+  if constexpr (is_commutative<G>) {
+    const auto sum = [&](const auto& weights) {
+      Tangent<G> tau = weights[last] * d(last);
+      for (std::size_t j = last; j-- > 0;) tau += weights[j] * d(j);
+      return tau;
+    };
+    m.value = Traits::compose(first, Traits::exp(sum(lambda[0])));
+    if constexpr (D >= 1) m.velocity = sum(lambda[1]);
+    if constexpr (D >= 2) m.acceleration = sum(lambda[2]);
+    if constexpr (D >= 3) m.jerk = sum(lambda[3]);
+  } else {
+    G P = Traits::exp(lambda[0][last] * d(last));
+    if constexpr (D >= 1) m.velocity = lambda[1][last] * d(last);
+    if constexpr (D >= 2) m.acceleration = lambda[2][last] * d(last);
+    if constexpr (D >= 3) m.jerk = lambda[3][last] * d(last);
+    for (std::size_t j = last; j-- > 0;) {
+      if constexpr (D >= 1) {
+        const Tangent<G> seen = adjoint_inverse<G>(P, d(j));
+        if constexpr (D >= 2) {
+          const Tangent<G> b = Traits::bracket(seen, m.velocity);
+          if constexpr (D >= 3) {
+            m.jerk += lambda[3][j] * seen + Scalar(2) * lambda[2][j] * b +
+                      lambda[1][j] * (Traits::bracket(b, m.velocity) + Traits::bracket(seen, m.acceleration));
+          }
+          m.acceleration += lambda[2][j] * seen + lambda[1][j] * b;
+        }
+        m.velocity += lambda[1][j] * seen;
+      }
+      P = Traits::compose(Traits::exp(lambda[0][j] * d(j)), P);
+    }
+    m.value = Traits::compose(first, P);
+  }
+  return m;
+}
+
+/// On a product, factor by factor: no factor pays for another's brackets.
+template <int D, LieGroup... F, int Order>
+[[nodiscard]] inline Motion<Product<F...>, D> evaluate_increments(
+    const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
+  using G = Product<F...>;
+  Motion<G, D> m;
+  const auto factor = [&]<std::size_t I>() {
+    using Factor = typename G::template Factor<I>;
+    constexpr int offset = G::template offset<I>;
+    constexpr int dof = DofOf<Factor>;
+    const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
+    const Motion<Factor, D> f = evaluate_increments<D>(first.template get<I>(), part, basis);
+    m.value.template get<I>() = f.value;
+    if constexpr (D >= 1) m.velocity.template segment<dof>(offset) = f.velocity;
+    if constexpr (D >= 2) m.acceleration.template segment<dof>(offset) = f.acceleration;
+    if constexpr (D >= 3) m.jerk.template segment<dof>(offset) = f.jerk;
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (factor.template operator()<I>(), ...); }(std::index_sequence_for<F...>{});
+  return m;
+}
+
+/// The curve from the Order control points that shape it and the basis there, e.g. of UniformKnots::basis.
+template <int D, LieGroup G, int Order>
+[[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
+                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  std::array<Tangent<G>, Order - 1> increments;
+  for (std::size_t j = 0; j < increments.size(); ++j) increments[j] = increment<G>(control_points[j], control_points[j + 1]);
+  return evaluate_increments<D>(control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
+}
+
+}  // namespace splinertia

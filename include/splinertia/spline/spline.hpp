@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <splinertia/message.hpp>
+#include <splinertia/spline/evaluate.hpp>
+#include <splinertia/spline/uniform_knots.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// A cumulative B-spline of order k = degree + 1 on a Lie group: Order − 2 times continuously differentiable, shaped
+/// locally by Order control points. The control points are not on the curve.
+///
+///   Spline<SO3xR3<double>, 4> curve(UniformKnots{.start = 0.0, .interval = 0.1}, control_points);
+///   auto m = curve.evaluate<2>(t);      // m.value, m.velocity, m.acceleration
+///
+/// The increments d_i = log(X_i⁻¹ X_{i+1}) are kept beside the control points, so that evaluation computes no logarithm
+/// and, like everything else here but the constructor, allocates nothing.
+template <LieGroup G, int Order, typename Knots = UniformKnots<double>>
+class Spline {
+ public:
+  using Group = G;
+  using Scalar = ScalarOf<G>;
+  using Time = typename Knots::Time;
+  static constexpr int order = Order;
+
+  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not finite.
+  Spline(const Knots& knots, std::vector<G> control_points) : knots_(knots), control_points_(std::move(control_points)) {
+    knots_.check();
+    if (control_points_.size() < static_cast<std::size_t>(Order)) {
+      throw std::invalid_argument(message("Spline: ", control_points_.size(), " control points, expected at least ", Order,
+                                          ", the order of the curve"));
+    }
+    increments_.resize(control_points_.size() - 1);
+    for (std::size_t i = 0; i < increments_.size(); ++i) update_increment(i);
+  }
+
+  /// The closed interval on which the curve is defined.
+  [[nodiscard]] Time start() const { return knots_.start; }
+  [[nodiscard]] Time end() const { return knots_.end(segments()); }
+
+  /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted).
+  template <int D>
+  [[nodiscard]] Motion<G, D> evaluate(Time t) const {
+    const auto [first, basis] = knots_.template basis<Scalar, Order, D>(t, segments());
+    const Tangent<G>* d = increments_.data() + first;
+    return evaluate_increments<D>(control_points_[first], [d](std::size_t j) -> const Tangent<G>& { return d[j]; }, basis);
+  }
+
+  /// As evaluate(); throws std::out_of_range unless start() <= t <= end().
+  template <int D>
+  [[nodiscard]] Motion<G, D> at(Time t) const {
+    if (!(t >= start() && t <= end())) {
+      throw std::out_of_range(message("Spline: no curve at time ", printable(t), ", it is defined from ",
+                                      printable(start()), " to ", printable(end())));
+    }
+    return evaluate<D>(t);
+  }
+
+  [[nodiscard]] const Knots& knots() const { return knots_; }
+  [[nodiscard]] std::size_t segments() const { return control_points_.size() - static_cast<std::size_t>(Order) + 1; }
+  [[nodiscard]] const std::vector<G>& control_points() const { return control_points_; }
+  /// increments()[i] leads from control point i to the next.
+  [[nodiscard]] const std::vector<Tangent<G>>& increments() const { return increments_; }
+
+  /// Moves control point i and renews the two increments that it touches. Requires i < control_points().size().
+  /// Throws std::invalid_argument where x is not finite.
+  void set_control_point(std::size_t i, const G& x) {
+    assert(i < control_points_.size());
+    const G old = std::exchange(control_points_[i], x);
+    try {
+      if (i > 0) update_increment(i - 1);
+      if (i < increments_.size()) update_increment(i);
+    } catch (...) {
+      control_points_[i] = old;
+      if (i > 0) update_increment(i - 1);
+      throw;
+    }
+  }
+
+ private:
+  void update_increment(std::size_t i) {
+    const Tangent<G> d = increment<G>(control_points_[i], control_points_[i + 1]);
+    if constexpr (std::floating_point<Scalar>) {
+      for (int row = 0; row < d.size(); ++row) {
+        if (!std::isfinite(d[row])) {
+          throw std::invalid_argument(message("Spline: control points ", i, " and ", i + 1,
+                                              " are not both finite and of non-zero rotation part"));
+        }
+      }
+    }
+    increments_[i] = d;
+  }
+
+  Knots knots_;
+  std::vector<G> control_points_;
+  std::vector<Tangent<G>> increments_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <splinertia/io/atomic_file.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "io/temporary_directory.hpp"
+#include "support/catch.hpp"
+
+#if __has_include(<sys/resource.h>)
+#include <sys/resource.h>
+#include <csignal>
+#endif
+
+using namespace splinertia;
+using test::content;
+using test::error_of;
+
+TEST_CASE("the file appears with commit") {
+  const test::TemporaryDirectory folder;
+  const auto path = folder / "out.txt";
+  {
+    AtomicFile file(path);
+    file.append("x ");
+    file.append_real(0.125);
+    file.append(',');
+    file.append_integer(-42);
+    file.append(' ');
+    file.append_seconds(std::chrono::milliseconds(1500));
+    CHECK_FALSE(std::filesystem::exists(path));
+    CHECK(folder.files() == 1);
+    file.commit();
+    CHECK(content(path) == "x 0.125,-42 1.500000000");
+    CHECK(error_of<std::runtime_error>([&] { file.commit(); }) ==
+          path.string() + ": was committed or abandoned before");
+  }
+  CHECK(content(path) == "x 0.125,-42 1.500000000");
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("without commit the old file stays and nothing else") {
+  const test::TemporaryDirectory folder;
+  const auto path = folder.write("out.txt", "old");
+  {
+    AtomicFile file(path);
+    file.append(std::string(1'000'000, 'x'));
+  }
+  CHECK(content(path) == "old");
+  CHECK(folder.files() == 1);
+  {
+    AtomicFile file(path);
+    file.append("new");
+    file.commit();
+  }
+  CHECK(content(path) == "new");
+}
+
+TEST_CASE("texts longer than the buffer arrive whole") {
+  const test::TemporaryDirectory folder;
+  std::string expected;
+  AtomicFile file(folder / "out.txt");
+  for (int i = 0; i < 100'000; ++i) {
+    const std::string text = std::to_string(i) + '\n';
+    file.append(text);
+    expected += text;
+  }
+  file.append(expected);
+  expected += expected;
+  file.commit();
+  CHECK(content(folder / "out.txt") == expected);
+}
+
+TEST_CASE("NaN and infinity are not written, nor half a file that had one") {
+  const test::TemporaryDirectory folder;
+  using Limits = std::numeric_limits<double>;
+  for (const double value : {Limits::quiet_NaN(), -Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
+    AtomicFile file(folder / "out.txt");
+    file.append("half a row ");
+    CHECK_THROWS_AS(file.append_real(value), std::invalid_argument);
+    CHECK(folder.files() == 0);
+    CHECK_THROWS_AS(file.commit(), std::runtime_error);
+  }
+  const auto path = folder / "out.txt";
+  CHECK(error_of<std::invalid_argument>([&] { AtomicFile(path).append_real(Limits::infinity()); }) ==
+        path.string() + ": cannot write inf, expected a finite number");
+}
+
+TEST_CASE("places that cannot be written are named") {
+  const test::TemporaryDirectory folder;
+  const auto nowhere = folder / "missing/out.txt";
+  CHECK(error_of<std::runtime_error>([&] { AtomicFile file(nowhere); }) ==
+        nowhere.string() + ": cannot create a file beside it: No such file or directory");
+  const auto below_file = folder.write("file", "") / "out.txt";
+  CHECK(error_of<std::runtime_error>([&] { AtomicFile file(below_file); }) ==
+        below_file.string() + ": cannot create a file beside it: Not a directory");
+  const auto directory = folder / "directory";
+  std::filesystem::create_directory(directory);
+  CHECK(error_of<std::runtime_error>([&] { AtomicFile file(directory); }) ==
+        directory.string() + ": exists and is not a regular file");
+  CHECK(folder.files() == 2);
+}
+
+TEST_CASE("a link is followed, not replaced") {
+  const test::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder / "real");
+  const auto real = folder.write("real/out.txt", "old"), link = folder / "link.txt";
+  std::filesystem::create_symlink(real, link);
+  AtomicFile file(link);
+  file.append("new");
+  file.commit();
+  CHECK(std::filesystem::is_symlink(link));
+  CHECK(content(real) == "new");
+}
+
+#if __has_include(<sys/resource.h>)
+TEST_CASE("a full disk is reported and leaves nothing") {
+  const test::TemporaryDirectory folder;
+  const auto path = folder.write("out.txt", "old");
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{100'000, before.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const std::string error = error_of<std::runtime_error>([&] {
+    AtomicFile file(path);
+    file.append(std::string(1'000'000, 'x'));
+    file.commit();
+  });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  CHECK(error == path.string() + ": cannot write: File too large");
+  CHECK(content(path) == "old");
+  CHECK(folder.files() == 1);
+}
+#endif

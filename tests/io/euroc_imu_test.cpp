@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <limits>
+#include <random>
+#include <splinertia/io/euroc_imu.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "io/temporary_directory.hpp"
+#include "support/catch.hpp"
+
+using namespace splinertia;
+using std::chrono::nanoseconds;
+using test::content;
+using test::error_of;
+
+namespace {
+
+std::vector<EurocImu> samples(int size) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Eigen::Vector3d::NullaryExpr([&] { return normal(random); }).eval(); };
+  std::vector<EurocImu> result;
+  for (int i = 0; i < size; ++i)
+    result.push_back({nanoseconds{1403636579758555392 + 5'000'000LL * i}, vector(), vector()});
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("samples read back to the same bits, written at once or one by one") {
+  const test::TemporaryDirectory folder;
+  const auto written = samples(1000);
+  write_euroc_imu(folder / "imu.csv", written);
+  const auto read = read_euroc_imu(folder / "imu.csv");
+  REQUIRE(read.size() == written.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    REQUIRE(read[i].time == written[i].time);
+    REQUIRE(read[i].gyro == written[i].gyro);
+    REQUIRE(read[i].accel == written[i].accel);
+  }
+  EurocImuWriter writer(folder / "stream.csv");
+  for (const EurocImu& sample : written) writer.append(sample);
+  CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
+  writer.commit();
+  CHECK(content(folder / "stream.csv") == content(folder / "imu.csv"));
+}
+
+TEST_CASE("the file looks like EuRoC's") {
+  const test::TemporaryDirectory folder;
+  write_euroc_imu(folder / "imu.csv",
+                  std::vector<EurocImu>{{nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
+  CHECK(content(folder / "imu.csv") ==
+        "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
+        "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n"
+        "1403636579758555392,-0.5,0.25,3,8.5,-0.125,0\n");
+}
+
+TEST_CASE("bad IMU files are refused by line") {
+  const test::TemporaryDirectory folder;
+  const auto error_in = [&](std::string_view text) {
+    const auto path = folder.write("bad.csv", text);
+    return error_of<std::runtime_error>([&] { (void)read_euroc_imu(path); }).substr(path.string().size());
+  };
+  CHECK(error_in("5 1 2 3 4 5\n") ==
+        ":1: 6 columns, expected 7 of EuRoC IMU samples: timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],"
+        "w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]");
+  CHECK(error_in("5 1 2 3 4 5 6\n4 1 2 3 4 5 6\n") == ":2: time 4 follows 5, expected increasing timestamp [ns]");
+  CHECK(error_in("5,1,2,3,4,5,inf\n") == ":1: \"inf\" is not a finite number, expected a_RS_S_z [m s^-2] in column 7");
+  CHECK(error_in("1.5,1,2,3,4,5,6\n") == ":1: \"1.5\" is not an integer, expected timestamp [ns] in column 1");
+}
+
+TEST_CASE("nothing half-written") {
+  const test::TemporaryDirectory folder;
+  auto bad = samples(1000);
+  bad[900].gyro.y() = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(write_euroc_imu(folder / "imu.csv", bad), std::invalid_argument);
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("a recorded IMU file is read") {
+  const auto path = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair/imu0.txt";
+  if (!std::filesystem::exists(path)) {
+    WARN("skipped, not there: " << path.string());
+    return;
+  }
+  const auto imu = read_euroc_imu(path);
+  REQUIRE(imu.size() == 22721);
+  CHECK(imu.front().time == nanoseconds{1403638518097829376});
+  CHECK(imu.front().gyro == Eigen::Vector3d(0.00069813170079773186, 0.018849555921538759, 0.07819075048934597));
+  CHECK(imu.back().accel == Eigen::Vector3d(8.6216797916666668, 0.75184316666666662, -3.702010375));
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <splinertia/io/euroc.hpp>
+
+#include "support/catch.hpp"
+
+using namespace splinertia;
+
+TEST_CASE("both files of a EuRoC sequence share a clock") {
+  const auto folder = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair";
+  if (!std::filesystem::exists(folder)) {
+    WARN("skipped, not there: " << folder.string());
+    return;
+  }
+  const auto imu = read_euroc_imu(folder / "imu0.txt");
+  const auto truth = read_euroc_groundtruth(folder / "gt.csv");
+  REQUIRE(imu.size() == 22721);
+  REQUIRE(truth.size() == 22212);
+  CHECK(imu.front().time < truth.front().time);
+  CHECK(truth.back().time < imu.back().time);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <splinertia/imu/simulate.hpp>
+#include <splinertia/motion/constant_twist.hpp>
+#include <splinertia/strapdown/euler.hpp>
+#include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+
+#include "support/catch.hpp"
+#include "support/random_group.hpp"
+
+using namespace splinertia;
+
+namespace {
+const Imu ideal{ErrorModel{}, ErrorModel{}};
+
+struct Row {  // the least that a sample has to be
+  double time;
+  Eigen::Vector3d gyro, accel;
+};
+}  // namespace
+
+TEMPLATE_TEST_CASE("A body at rest stays where it is", "", Euler, Midpoint) {
+  testing::Random random(1);
+  const auto rest = at_rest(random.walk<SO3xR3<double>>(1)[0]);
+  const auto initial = nav_state(rest.evaluate<1>(0), 0.0);
+  const auto states = integrate<TestType>(initial, simulate(rest, ideal, {.rate = 200, .start = 0.0, .end = 10.0}));
+  REQUIRE(states.size() == 2001);
+  CHECK(states.back().time == 10);
+  CHECK(increment(states.back().R_WB, initial.R_WB).norm() < 1e-15);
+  // Gravity is taken away again with an error of one rounding, 2e-15 m/s², which is integrated twice over 10 s.
+  CHECK((states.back().v_WB - initial.v_WB).norm() < 2e-14);
+  CHECK((states.back().p_WB - initial.p_WB).norm() < 1e-13);
+}
+
+TEMPLATE_TEST_CASE("A constant rate gives the exact attitude", "", Euler, Midpoint) {
+  testing::Random random(2);
+  const ConstantTwist<SO3xR3<double>> motion{random.walk<SO3xR3<double>>(1)[0], random.tangent<SO3xR3<double>>(2)};
+  const auto states = integrate<TestType>(nav_state(motion.evaluate<1>(0), 0.0),
+                                          simulate(motion, ideal, {.rate = 100, .start = 0.0, .end = 10.0}));
+  for (std::size_t i = 0; i < states.size(); i += 100) {
+    CHECK(increment(rotation(motion.evaluate<0>(states[i].time).value), states[i].R_WB).norm() < 1e-13);
+  }
+}
+
+TEST_CASE("A constant screw about the vertical is reproduced to rounding") {
+  // Its acceleration is zero in the world, and the force R^T g is the same at both ends of each step.
+  ConstantTwist<Sophus::SE3d> screw;
+  screw.twist << 0, 0, 0.7, 0, 0, 3;
+  const auto states = integrate<Midpoint>(nav_state(screw.evaluate<1>(0), 0.0),
+                                          simulate(screw, ideal, {.rate = 100, .start = 0.0, .end = 10.0}));
+  const auto truth = screw.evaluate<1>(10);
+  CHECK((states.back().p_WB - position(truth.value)).norm() < 1e-12);
+  CHECK((states.back().v_WB - world_velocity(truth)).norm() < 1e-13);
+}
+
+TEST_CASE("Any struct with time, gyro and accel is a sample, and intervals may differ") {
+  const Eigen::Vector3d g(0, 0, -10);
+  const std::array<Row, 3> rows{Row{1, {0, 0, 0}, {1, 0, 10}}, Row{1.5, {0, 0, 0}, {1, 0, 10}}, Row{3, {0, 0, 0}, {1, 0, 10}}};
+  const auto states = integrate<Midpoint>(NavState<double>{{}, {0, 2, 0}, {0, 0, 5}, 1}, rows, g);
+  REQUIRE(states.size() == 3);
+  CHECK((states[2].v_WB - Eigen::Vector3d(2, 2, 0)).norm() < 1e-14);
+  CHECK((states[2].p_WB - Eigen::Vector3d(2, 4, 5)).norm() < 1e-14);
+}
+
+TEST_CASE("No samples give no states") {
+  CHECK(integrate<Euler>(NavState<double>{{}, {0, 0, 0}, {0, 0, 0}, 0}, std::vector<Row>{}).empty());
+}
+
+TEST_CASE("Samples that do not follow each other or the state are refused") {
+  const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 1};
+  const auto at = [](double t) { return Row{t, {0, 0, 0}, {0, 0, 0}}; };
+  CHECK_THROWS_WITH(integrate<Euler>(initial, std::vector{at(2), at(3)}),
+                    "integrate: the first sample is at 2, the initial state at 1");
+  CHECK_THROWS_WITH(integrate<Euler>(initial, std::vector{at(1), at(2), at(2)}),
+                    "integrate: sample 2 is at 2, expected a time after 2");
+  CHECK_THROWS_AS(integrate<Euler>(initial, std::vector{at(1), at(std::nan(""))}), std::invalid_argument);
+}
