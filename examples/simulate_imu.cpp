@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job: a trajectory goes in, what an IMU would have measured along it comes out, and integrating that back shows
-// how far the noise and the integration scheme carry the estimate away.
+// The main job: a trajectory goes in, what an IMU would have measured along it comes out, and integrating that back
+// shows how far the noise and the integration scheme carry the estimate away.
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -81,8 +81,8 @@ void print_table(const auto&... runs) {
   std::puts("                     position error [m]              attitude error [deg]");
   std::puts("IMU    scheme         rms        max        end        rms        max        end");
   const auto row = [](const auto& r) {
-    std::printf("%-6s %-9s %10.3g %10.3g %10.3g %10.3g %10.3g %10.3g\n", r.imu, r.scheme, r.position.rms(), r.position.largest,
-                r.position.last, r.attitude.rms(), r.attitude.largest, r.attitude.last);
+    std::printf("%-6s %-9s %10.3g %10.3g %10.3g %10.3g %10.3g %10.3g\n", r.imu, r.scheme, r.position.rms(),
+                r.position.largest, r.position.last, r.attitude.rms(), r.attitude.largest, r.attitude.last);
   };
   (row(runs), ...);
 }
@@ -92,8 +92,8 @@ void write_table(AtomicFile& file, const auto&... runs) {
       "imu,scheme,position_rms_m,position_max_m,position_end_m,attitude_rms_deg,attitude_max_deg,attitude_end_deg\n");
   const auto row = [&](const auto& r) {
     file.append(message(r.imu, ',', r.scheme));
-    for (const double value : {r.position.rms(), r.position.largest, r.position.last, r.attitude.rms(), r.attitude.largest,
-                               r.attitude.last}) {
+    for (const double value : {r.position.rms(), r.position.largest, r.position.last, r.attitude.rms(),
+                               r.attitude.largest, r.attitude.last}) {
       file.append(',');
       file.append_real(value);
     }
@@ -118,8 +118,10 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   const double duration = seconds<double>(noisy.time(noisy.size() - 1) - noisy.time(0));
   std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", noisy.size(), o.rate, duration,
               static_cast<unsigned long long>(o.seed));
-  std::printf("     gyro   white noise %g rad/s/sqrt(Hz), random walk %g rad/s^2/sqrt(Hz)\n", o.gyro_noise, o.gyro_walk);
-  std::printf("     accel  white noise %g m/s^2/sqrt(Hz), random walk %g m/s^3/sqrt(Hz)\n", o.accel_noise, o.accel_walk);
+  std::printf("     gyro   white noise %g rad/s/sqrt(Hz), random walk %g rad/s^2/sqrt(Hz)\n", o.gyro_noise,
+              o.gyro_walk);
+  std::printf("     accel  white noise %g m/s^2/sqrt(Hz), random walk %g m/s^3/sqrt(Hz)\n", o.accel_noise,
+              o.accel_walk);
 
   std::error_code error;
   std::filesystem::create_directories(o.output, error);
@@ -130,7 +132,8 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   std::optional<AtomicFile> table_csv;
   if (!o.csv.empty()) table_csv.emplace(o.csv);
 
-  DeadReckoning<Euler, Reading, Time> ideal_euler{"ideal", "Euler", run.gravity}, noisy_euler{"noisy", "Euler", run.gravity};
+  DeadReckoning<Euler, Reading, Time> ideal_euler{"ideal", "Euler", run.gravity},
+      noisy_euler{"noisy", "Euler", run.gravity};
   DeadReckoning<Midpoint, Reading, Time> ideal_midpoint{"ideal", "Midpoint", run.gravity};
   DeadReckoning<Midpoint, Reading, Time> noisy_midpoint{"noisy", "Midpoint", run.gravity};
   Progress progress(noisy.size());
@@ -196,9 +199,10 @@ void simulate_poses(const Poses& poses, const Options& o) {
   }
   std::printf("%s: %zu poses over %g s, longest gap %g s\n", o.trajectory.string().c_str(), poses.size(),
               seconds<double>(poses.back().time - poses.front().time), seconds<double>(longest_gap));
-  std::printf("     spline of order %d on %s, %zu control points %g s apart, within %.3g m (rms), %.3g m (max) of the poses\n",
-              Order, SplitPose<G> ? "SO(3) x R^3" : "SE(3)", curve.control_points().size(), o.knot_interval, distance.rms(),
-              distance.largest);
+  std::printf(
+      "     spline of order %d on %s, %zu control points %g s apart, within %.3g m (rms), %.3g m (max) of the poses\n",
+      Order, SplitPose<G> ? "SO(3) x R^3" : "SE(3)", curve.control_points().size(), o.knot_interval, distance.rms(),
+      distance.largest);
   simulate_along(curve, o, {});
 }
 
@@ -210,10 +214,14 @@ void simulate_file(const Options& o) {
   }
   const auto with_group = [&]<typename G>() {
     switch (o.order) {
-      case 3: return simulate_poses<G, 3>(poses, o);
-      case 4: return simulate_poses<G, 4>(poses, o);
-      case 5: return simulate_poses<G, 5>(poses, o);
-      default: return simulate_poses<G, 6>(poses, o);
+      case 3:
+        return simulate_poses<G, 3>(poses, o);
+      case 4:
+        return simulate_poses<G, 4>(poses, o);
+      case 5:
+        return simulate_poses<G, 5>(poses, o);
+      default:
+        return simulate_poses<G, 6>(poses, o);
     }
   };
   o.group == "split" ? with_group.operator()<SO3xR3<double>>() : with_group.operator()<Sophus::SE3d>();
@@ -230,8 +238,8 @@ void simulate_analytic(const Options& o) {
 
 /// Adds the options to the command line. CLI11 checks what is a matter of form; the library checks the values.
 void add_options(CLI::App& app, Options& o) {
-  auto* trajectory = app.add_option("trajectory", o.trajectory,
-                                    "TUM or EuRoC trajectory, recognised by its content; without it an analytic motion");
+  auto* trajectory = app.add_option(
+      "trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content; without it an analytic motion");
   app.add_option("--motion", o.motion, "analytic motion")
       ->check(CLI::IsMember({"ellipse", "circle", "coning", "rest"}))
       ->excludes(trajectory)
@@ -242,11 +250,13 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)]")->capture_default_str();
   app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)]")->capture_default_str();
   app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)]")->capture_default_str();
-  app.add_option("--gravity", o.gravity, "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
+  app.add_option("--gravity", o.gravity,
+                 "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
       ->expected(1, 3)
       ->check(CLI::Number)
       ->capture_default_str();
-  app.add_option("--seed", o.seed, "of the noise; the same seed gives the same samples everywhere")->capture_default_str();
+  app.add_option("--seed", o.seed, "of the noise; the same seed gives the same samples everywhere")
+      ->capture_default_str();
   app.add_option("--order", o.order, "of the spline through a trajectory file: degree + 1")
       ->check(CLI::Range(3, 6))
       ->needs(trajectory)
@@ -276,7 +286,8 @@ void check(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
-      "The poses of a file are interpolated at uniform times and become the control points of a B-spline, which is smooth\n"
+      "The poses of a file are interpolated at uniform times and become the control points of a B-spline, which is "
+      "smooth\n"
       "but does not pass through them; how far off it is, is printed. The ground truth written is that of the spline."};
   Options options;
   add_options(app, options);

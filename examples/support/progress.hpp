@@ -8,7 +8,8 @@
 #include <cstdio>
 #include <string>
 
-/// A bar on standard error, for a person who waits: only on a terminal, and only once the work takes longer than a second.
+/// A bar on standard error, for a person who waits: only on a terminal, and only once the work takes longer than a
+/// second.
 class Progress {
  public:
   explicit Progress(std::size_t total) : total_(total), watched_(isatty(STDERR_FILENO) == 1) {}

@@ -8,12 +8,12 @@
 using splinertia::Stamped;
 
 TEST_CASE("a stamped element is a time and a value", "[group]") {
-    using namespace std::chrono_literals;
-    const Stamped<Eigen::Vector3d> line{.time = 1403636579763555584ns, .value = {1, 2, 3}};
-    CHECK(line.time.count() == 1403636579763555584);  // an epoch stamp, to the nanosecond
-    CHECK(line.value == Eigen::Vector3d{1, 2, 3});
+  using namespace std::chrono_literals;
+  const Stamped<Eigen::Vector3d> line{.time = 1403636579763555584ns, .value = {1, 2, 3}};
+  CHECK(line.time.count() == 1403636579763555584);  // an epoch stamp, to the nanosecond
+  CHECK(line.value == Eigen::Vector3d{1, 2, 3});
 
-    const Stamped<Eigen::Vector3d, double> seconds{.time = 0.25, .value = {1, 2, 3}};
-    CHECK(seconds.time == 0.25);
-    STATIC_CHECK(std::is_aggregate_v<Stamped<Eigen::Vector3d, double>>);
+  const Stamped<Eigen::Vector3d, double> seconds{.time = 0.25, .value = {1, 2, 3}};
+  CHECK(seconds.time == 0.25);
+  STATIC_CHECK(std::is_aggregate_v<Stamped<Eigen::Vector3d, double>>);
 }

@@ -30,7 +30,8 @@ TEMPLATE_TEST_CASE("A falling IMU reads nothing, whichever the group", "", SO3xR
 }
 
 // An IMU on a lever arm must read what an IMU at its place reads: R R_BI, p + R p_BI, differentiated numerically.
-TEMPLATE_TEST_CASE("A lever arm adds the Euler and centripetal terms and turns the axes", "", SO3xR3<double>, Sophus::SE3d) {
+TEMPLATE_TEST_CASE("A lever arm adds the Euler and centripetal terms and turns the axes", "", SO3xR3<double>,
+                   Sophus::SE3d) {
   testing::Random random(1);
   const Spline<TestType, 6> curve({.start = 0, .interval = 0.5}, random.walk<TestType>(12));
   const LeverArm<double> arm{Sophus::SO3d::exp({0.4, -0.8, 1.1}), {0.3, -0.5, 0.2}};

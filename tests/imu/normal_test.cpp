@@ -11,7 +11,8 @@ TEST_CASE("The reproducible logarithm and exponential are those of the library t
   for (double x = 1e-300; x < 1e300; x *= 1.37) {
     CHECK_THAT(reproducible_log(x), WithinULP(std::log(x), 4) || WithinAbs(std::log(x), 4e-16));
   }
-  for (double x = -99; x <= 0; x += 0.0173) CHECK_THAT(reproducible_exp(x), WithinRel(std::exp(x), 2e-15 * (1 + std::abs(x))));
+  for (double x = -99; x <= 0; x += 0.0173)
+    CHECK_THAT(reproducible_exp(x), WithinRel(std::exp(x), 2e-15 * (1 + std::abs(x))));
   CHECK(reproducible_exp(0) == 1);
 }
 

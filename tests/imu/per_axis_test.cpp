@@ -20,6 +20,7 @@ TEST_CASE("What must not be negative is refused with the name of term, parameter
   CHECK_THROWS_WITH(PerAxis<double>(-1).require_non_negative("WhiteNoise", "density"),
                     "WhiteNoise: density is -1, expected a finite number >= 0");
   CHECK_THROWS_AS(PerAxis<double>(0, std::nan(""), 0).require_non_negative("T", "p"), std::invalid_argument);
-  CHECK_THROWS_AS(PerAxis<float>(std::numeric_limits<float>::infinity()).require_non_negative("T", "p"), std::invalid_argument);
+  CHECK_THROWS_AS(PerAxis<float>(std::numeric_limits<float>::infinity()).require_non_negative("T", "p"),
+                  std::invalid_argument);
   CHECK_NOTHROW(PerAxis<double>(0).require_non_negative("T", "p"));
 }

@@ -19,7 +19,8 @@ TEST_CASE("After a time T the bias has deviation K times root T, whatever the ra
       for (int i = 0; i <= n; ++i) {
         sample = {Eigen::Vector3d::Constant(7), Eigen::Vector3d::Zero(), 1 / rate, i == 0};
         walk.apply(sample, state);
-        REQUIRE(sample.value == Eigen::Vector3d::Constant(7) + sample.bias);  // the bias reported is the one in the sample
+        REQUIRE(sample.value ==
+                Eigen::Vector3d::Constant(7) + sample.bias);  // the bias reported is the one in the sample
         if (i == 0) REQUIRE(sample.bias.isZero(0));
       }
       squares += sample.bias.squaredNorm() / 3;

@@ -37,7 +37,8 @@ TEST_CASE("Without error terms a sample is the ideal measurement") {
 TEST_CASE("With density 0.015 at 200 Hz the samples deviate by 0.2121") {
   double squares = 0;
   double count = 0;
-  for (const auto& r : simulate(at_rest(SO3xR3<double>{}), noisy, {.rate = 200, .seed = 42, .start = 0.0, .end = 500.0})) {
+  for (const auto& r :
+       simulate(at_rest(SO3xR3<double>{}), noisy, {.rate = 200, .seed = 42, .start = 0.0, .end = 500.0})) {
     squares += (r.gyro - r.gyro_bias).squaredNorm();
     count += 3;
   }
@@ -105,7 +106,8 @@ TEST_CASE("A run that cannot be is refused") {
   CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = -5, .start = 0.0, .end = 1.0}),
                     "simulate: rate is -5 Hz, expected a positive finite number");
   CHECK_THROWS_AS(simulate(motion, ideal, {.rate = std::nan(""), .start = 0.0, .end = 1.0}), std::invalid_argument);
-  CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = 10}), "simulate: the motion has no bounds, expected options .start and .end");
+  CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = 10}),
+                    "simulate: the motion has no bounds, expected options .start and .end");
   CHECK_THROWS_AS(simulate(motion, ideal, {.rate = 10, .start = 1.0, .end = 0.0}), std::invalid_argument);
   testing::Random random(1);
   const Spline<SO3xR3<double>, 4> curve({.start = 0, .interval = 1}, random.walk<SO3xR3<double>>(6));

@@ -8,8 +8,8 @@
 
 using namespace splinertia;
 
-TEMPLATE_TEST_CASE("A constant twist moves by its exponential on any group", "", Eigen::Vector2d, Sophus::SO2d, Sophus::SO3d,
-                   Sophus::SE2d, Sophus::SE3d, SO3xR3<double>) {
+TEMPLATE_TEST_CASE("A constant twist moves by its exponential on any group", "", Eigen::Vector2d, Sophus::SO2d,
+                   Sophus::SO3d, Sophus::SE2d, Sophus::SE3d, SO3xR3<double>) {
   testing::Random random(1);
   const ConstantTwist<TestType> motion{random.walk<TestType>(1)[0], random.tangent<TestType>()};
   for (const double t : {-2.0, 0.0, 3.0}) {

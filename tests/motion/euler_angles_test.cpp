@@ -27,8 +27,8 @@ TEST_CASE("Body rates and their derivatives follow from the angles") {
     const auto q = tumbling(t).quaternion();
     const auto omega = testing::central_difference<Eigen::Vector3d>(
         [&](double s) { return rotation_increment<double>(q, tumbling(s).quaternion()); }, t, 1e-3);
-    const auto alpha = testing::central_difference<Eigen::Vector3d>(
-        [&](double s) { return tumbling(s).angular_velocity(); }, t, 1e-3);
+    const auto alpha =
+        testing::central_difference<Eigen::Vector3d>([&](double s) { return tumbling(s).angular_velocity(); }, t, 1e-3);
     CHECK((tumbling(t).angular_velocity() - omega).norm() < 1e-11);
     CHECK((tumbling(t).angular_acceleration() - alpha).norm() < 1e-11);
   }

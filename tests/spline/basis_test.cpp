@@ -30,7 +30,8 @@ constexpr bool continuous_at_knots() {
   }
   return true;
 }
-static_assert(continuous_at_knots<2>() && continuous_at_knots<3>() && continuous_at_knots<4>() && continuous_at_knots<5>());
+static_assert(continuous_at_knots<2>() && continuous_at_knots<3>() && continuous_at_knots<4>() &&
+              continuous_at_knots<5>());
 static_assert(continuous_at_knots<6>() && continuous_at_knots<7>() && continuous_at_knots<8>());
 
 TEST_CASE("The cumulative basis is that of the control points from j on") {
@@ -54,7 +55,8 @@ TEST_CASE("Derivatives are with respect to time, not to u") {
   const auto at = [&](double shift) { return uniform_basis<6, 3>(u + shift / interval, interval).lambda; };
   for (std::size_t m = 1; m <= 3; ++m) {
     for (std::size_t j = 0; j < 5; ++j) {
-      const double difference = (8 * (at(h)[m - 1][j] - at(-h)[m - 1][j]) - (at(2 * h)[m - 1][j] - at(-2 * h)[m - 1][j])) / (12 * h);
+      const double difference =
+          (8 * (at(h)[m - 1][j] - at(-h)[m - 1][j]) - (at(2 * h)[m - 1][j] - at(-2 * h)[m - 1][j])) / (12 * h);
       CHECK_THAT(at(0)[m][j], WithinAbs(difference, 1e-6));
     }
   }

@@ -49,8 +49,8 @@ void check_order() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("Every order on every group has the derivatives of its value", "", Eigen::Vector3d, Sophus::SO2d, Sophus::SO3d,
-                   Sophus::SE2d, Sophus::SE3d, SO3xR3<double>, Nested) {
+TEMPLATE_TEST_CASE("Every order on every group has the derivatives of its value", "", Eigen::Vector3d, Sophus::SO2d,
+                   Sophus::SO3d, Sophus::SE2d, Sophus::SE3d, SO3xR3<double>, Nested) {
   check_order<2, TestType>();
   check_order<3, TestType>();
   check_order<4, TestType>();
@@ -61,7 +61,8 @@ TEMPLATE_TEST_CASE("Every order on every group has the derivatives of its value"
 }
 
 // A cumulative spline through points of a one-parameter subgroup is that subgroup: rest and constant twist are exact.
-TEMPLATE_TEST_CASE("Rest and constant twist are reproduced to rounding", "", Sophus::SO3d, Sophus::SE3d, SO3xR3<double>) {
+TEMPLATE_TEST_CASE("Rest and constant twist are reproduced to rounding", "", Sophus::SO3d, Sophus::SE3d,
+                   SO3xR3<double>) {
   using G = TestType;
   testing::Random random(7);
   const G initial = random.walk<G>(1)[0];
@@ -95,7 +96,8 @@ TEST_CASE("The value is that of the textbook's product of exponentials") {
   const double u = 0.3;
   const auto basis = uniform_basis<4, 0>(u, 1.0);
   G expected = x[0];
-  const double lambda[] = {(5 + 3 * u - 3 * u * u + u * u * u) / 6, (1 + 3 * u + 3 * u * u - 2 * u * u * u) / 6, u * u * u / 6};
+  const double lambda[] = {(5 + 3 * u - 3 * u * u + u * u * u) / 6, (1 + 3 * u + 3 * u * u - 2 * u * u * u) / 6,
+                           u * u * u / 6};
   for (std::size_t j = 0; j < 3; ++j) expected = expected * G::exp(lambda[j] * (x[j].inverse() * x[j + 1]).log());
   CHECK((evaluate<0>(std::span<const G, 4>(x), basis).value.matrix() - expected.matrix()).norm() < 1e-14);
 }

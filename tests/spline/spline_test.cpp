@@ -90,7 +90,8 @@ TEST_CASE("What cannot be a spline is refused with the reason") {
   CHECK_THROWS_AS((Curve({.start = 0, .interval = 0}, points)), std::invalid_argument);
   auto broken = points;
   broken[2].get<1>().y() = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH((Curve({.start = 0, .interval = 1}, broken)), "Spline: control points 1 and 2 are not both finite and of non-zero rotation part");
+  CHECK_THROWS_WITH((Curve({.start = 0, .interval = 1}, broken)),
+                    "Spline: control points 1 and 2 are not both finite and of non-zero rotation part");
 
   Curve curve({.start = 0, .interval = 1}, points);
   CHECK_THROWS_AS(curve.set_control_point(2, broken[2]), std::invalid_argument);

@@ -48,7 +48,8 @@ TEST_CASE("Nanoseconds at an epoch of today lose nothing") {
 
 TEST_CASE("Knots that are none are refused with the value") {
   CHECK_THROWS_WITH((UniformKnots{0.0, 0.0}.check()), "UniformKnots: interval is 0, expected a positive finite number");
-  CHECK_THROWS_WITH((UniformKnots{0.0, -0.5}.check()), "UniformKnots: interval is -0.5, expected a positive finite number");
+  CHECK_THROWS_WITH((UniformKnots{0.0, -0.5}.check()),
+                    "UniformKnots: interval is -0.5, expected a positive finite number");
   CHECK_THROWS_AS((UniformKnots{0.0, std::nan("")}.check()), std::invalid_argument);
   CHECK_THROWS_AS((UniformKnots{std::nan(""), 1.0}.check()), std::invalid_argument);
   CHECK_THROWS_AS((UniformKnots{nanoseconds{0}, nanoseconds{0}}.check()), std::invalid_argument);

@@ -16,7 +16,8 @@ double ellipse_error(double rate) {
   const auto samples = simulate(motion, Imu{ErrorModel{}, ErrorModel{}}, {.rate = rate, .start = 0.0, .end = 20.0});
   double squares = 0;
   const auto states = integrate<Scheme>(nav_state(motion.evaluate<1>(0), 0.0), samples);
-  for (const auto& state : states) squares += (state.p_WB - position(motion.evaluate<0>(state.time).value)).squaredNorm();
+  for (const auto& state : states)
+    squares += (state.p_WB - position(motion.evaluate<0>(state.time).value)).squaredNorm();
   return std::sqrt(squares / static_cast<double>(states.size()));
 }
 

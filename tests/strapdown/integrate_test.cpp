@@ -56,7 +56,8 @@ TEST_CASE("A constant screw about the vertical is reproduced to rounding") {
 
 TEST_CASE("Any struct with time, gyro and accel is a sample, and intervals may differ") {
   const Eigen::Vector3d g(0, 0, -10);
-  const std::array<Row, 3> rows{Row{1, {0, 0, 0}, {1, 0, 10}}, Row{1.5, {0, 0, 0}, {1, 0, 10}}, Row{3, {0, 0, 0}, {1, 0, 10}}};
+  const std::array<Row, 3> rows{Row{1, {0, 0, 0}, {1, 0, 10}}, Row{1.5, {0, 0, 0}, {1, 0, 10}},
+                                Row{3, {0, 0, 0}, {1, 0, 10}}};
   const auto states = integrate<Midpoint>(NavState<double>{{}, {0, 2, 0}, {0, 0, 5}, 1}, rows, g);
   REQUIRE(states.size() == 3);
   CHECK((states[2].v_WB - Eigen::Vector3d(2, 2, 0)).norm() < 1e-14);

@@ -15,11 +15,11 @@
 #define STATIC_CHECK_FALSE(...) STATIC_REQUIRE_FALSE(__VA_ARGS__)
 #endif
 #ifndef SKIP  // version 2 cannot skip: say so and leave the test case
-#define SKIP(...)                                \
-    do {                                         \
-        WARN("SKIPPED: " << __VA_ARGS__);        \
-        return;                                  \
-    } while (false)
+#define SKIP(...)                     \
+  do {                                \
+    WARN("SKIPPED: " << __VA_ARGS__); \
+    return;                           \
+  } while (false)
 #endif
 #endif
 

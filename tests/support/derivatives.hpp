@@ -13,8 +13,8 @@ Vector central_difference(const auto& f, double t, double h) {
   return (45 * (f(t + h) - f(t - h)) - 9 * (f(t + 2 * h) - f(t - 2 * h)) + (f(t + 3 * h) - f(t - 3 * h))) / (60 * h);
 }
 
-/// The largest difference between each analytic derivative of the curve at t and the central difference of the one below
-/// it: index 0 for the velocity, 1 for the acceleration, 2 for the jerk.
+/// The largest difference between each analytic derivative of the curve at t and the central difference of the one
+/// below it: index 0 for the velocity, 1 for the acceleration, 2 for the jerk.
 template <int D, typename Curve>
 std::array<double, D> derivative_errors(const Curve& curve, double t, double h) {
   using G = typename Curve::Group;
@@ -24,7 +24,8 @@ std::array<double, D> derivative_errors(const Curve& curve, double t, double h) 
     return static_cast<double>((analytic - central_difference<Tangent<G>>(f, t, h)).template lpNorm<Eigen::Infinity>());
   };
   if constexpr (D >= 1) {
-    errors[0] = compare(m.velocity, [&](double s) { return increment<G>(m.value, curve.template evaluate<0>(s).value); });
+    errors[0] =
+        compare(m.velocity, [&](double s) { return increment<G>(m.value, curve.template evaluate<0>(s).value); });
   }
   if constexpr (D >= 2) {
     errors[1] = compare(m.acceleration, [&](double s) { return curve.template evaluate<1>(s).velocity; });

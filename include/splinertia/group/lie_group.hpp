@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What the library asks of a Lie group. A type becomes a group by specialising GroupTraits; nothing else of it is used.
+/// What the library asks of a Lie group. A type becomes a group by specialising GroupTraits; nothing else of it is
+/// used.
 ///
 /// Conventions: tangent vectors are columns of Dof scalars; exp and log are the group's exponential coordinates;
 /// perturbations are on the right, X ⊞ δ = X exp(δ); Jacobians are those of exp,

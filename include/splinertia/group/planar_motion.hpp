@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// SE(2) beyond its rotation: what exp, log and the Jacobians do to the translation. Tangents are [ρ; θ] (Sophus' order);
-/// i ρ is ρ turned by a right angle, (−ρ_y, ρ_x).
+/// SE(2) beyond its rotation: what exp, log and the Jacobians do to the translation. Tangents are [ρ; θ] (Sophus'
+/// order); i ρ is ρ turned by a right angle, (−ρ_y, ρ_x).
 #pragma once
 
 #include <splinertia/group/lie_group.hpp>
@@ -46,7 +46,8 @@ template <typename Scalar>
 
 /// J_l([ρ; θ])⁻¹ = I − ad/2 + E ad², |θ| < 2π.
 template <typename Scalar>
-[[nodiscard]] inline Matrix3<Scalar> planar_motion_left_jacobian_inverse(const Vector2<Scalar>& rho, const Scalar& theta) {
+[[nodiscard]] inline Matrix3<Scalar> planar_motion_left_jacobian_inverse(const Vector2<Scalar>& rho,
+                                                                         const Scalar& theta) {
   const auto c = stumpff<3>(Scalar(theta * theta));
   const Scalar E = inverse_jacobian_coefficient(c);
   const Scalar diagonal = c.half[0] / c.half[1];

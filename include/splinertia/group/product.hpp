@@ -62,7 +62,8 @@ struct GroupTraits<Product<G...>> {
 
   static P identity() { return P{}; }
   static P compose(const P& x, const P& y) {
-    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::compose(x.template get<I>(), y.template get<I>()); });
+    return factors(
+        [&]<std::size_t I, typename F>() { return GroupTraits<F>::compose(x.template get<I>(), y.template get<I>()); });
   }
   static P inverse(const P& x) {
     return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::inverse(x.template get<I>()); });
@@ -74,12 +75,12 @@ struct GroupTraits<Product<G...>> {
     return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::log(x.template get<I>()); });
   }
   static Vector adjoint(const P& x, const Vector& tau) {
-    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::adjoint(x.template get<I>(), part<I>(tau)); });
+    return tangents(
+        [&]<std::size_t I, typename F>() { return GroupTraits<F>::adjoint(x.template get<I>(), part<I>(tau)); });
   }
   static Vector adjoint_inverse(const P& x, const Vector& tau) {
-    return tangents([&]<std::size_t I, typename F>() {
-      return splinertia::adjoint_inverse<F>(x.template get<I>(), part<I>(tau));
-    });
+    return tangents(
+        [&]<std::size_t I, typename F>() { return splinertia::adjoint_inverse<F>(x.template get<I>(), part<I>(tau)); });
   }
   static Vector bracket(const Vector& a, const Vector& b) {
     return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::bracket(part<I>(a), part<I>(b)); });
@@ -112,7 +113,7 @@ struct GroupTraits<Product<G...>> {
 
   // f<I, F>() gives the result for factor I of type F.
   static P factors(const auto& f) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return P{f.template operator()<I, G>()...}; }(indices);
+    return [&]<std::size_t... I>(std::index_sequence<I...>) { return P { f.template operator()<I, G>()... }; }(indices);
   }
   static Vector tangents(const auto& f) {
     Vector tau;
@@ -124,7 +125,8 @@ struct GroupTraits<Product<G...>> {
   static Square blocks(const auto& f) {
     Square m = Square::Zero();
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<I>, P::template offset<I>) = f.template operator()<I, G>()),
+      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<I>, P::template offset<I>) =
+            f.template operator()<I, G>()),
        ...);
     }(indices);
     return m;

@@ -10,7 +10,8 @@
 
 namespace splinertia {
 
-/// The translation of exp([ρ; φ]): J_l(φ) ρ = ρ + c₂ φ×ρ + c₃ φ×(φ×ρ), with the rotation's quaternion beside it.
+/// The translation of exp([ρ; φ]): J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ, with the rotation's quaternion beside it.
+/// (ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) is the same, but loses a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.)
 template <typename Scalar>
 struct RigidMotionExp {
   Eigen::Quaternion<Scalar> rotation;
@@ -22,9 +23,8 @@ template <typename Scalar>
 [[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
   const auto c = stumpff<3>(Scalar(phi.squaredNorm()));
   const Scalar s = c.half[1] / Constant<Scalar>(2);
-  const Vector3<Scalar> phi_rho = phi.cross(rho);
   return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()},
-          rho + c.full[2] * phi_rho + c.full[3] * phi.cross(phi_rho)};
+          c.full[1] * rho + c.full[2] * phi.cross(rho) + (c.full[3] * phi.dot(rho)) * phi};
 }
 
 /// The ρ of log(T) for the translation t and the rotation vector φ of T: J_l(φ)⁻¹ t = t − φ×t/2 + E φ×(φ×t).
@@ -51,7 +51,8 @@ template <typename Scalar>
 ///   Q = c₂ ρ^ + c₃ (φ^ρ^ + ρ^φ^) + (φ·ρ)[(2c₄ − c₃) φ^ + (3c₅ − c₄) φ^²].
 /// Barfoot (7.86), rewritten; that of J_r is Q(−ρ, −φ).
 template <typename Scalar>
-[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_block(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
+[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_block(const Vector3<Scalar>& rho,
+                                                                      const Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
   const Scalar dot = phi.dot(rho);
   return hat<Scalar>(c.full[2] * rho) + c.full[3] * hat_anticommutator(phi, rho) +
@@ -61,7 +62,7 @@ template <typename Scalar>
 /// The upper right block of J_l([ρ; φ])⁻¹: −ρ^/2 + E (φ^ρ^ + ρ^φ^) + (φ·ρ) (dE/dθ)/θ φ^², |φ| < 2π.
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_inverse_block(const Vector3<Scalar>& rho,
-                                                                             const Vector3<Scalar>& phi) {
+                                                                              const Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
   return hat<Scalar>(rho / Constant<Scalar>(-2)) + inverse_jacobian_coefficient(c) * hat_anticommutator(phi, rho) +
          hat_polynomial<Scalar>(Scalar(0), Scalar(0), phi.dot(rho) * inverse_jacobian_coefficient_derivative(c), phi);

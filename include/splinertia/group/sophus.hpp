@@ -81,7 +81,9 @@ struct GroupTraits<Sophus::SO3<Real>> {
   static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(tau)); }
   static Vector log(const G& x) { return rotation_log<Real>(x.unit_quaternion()); }
   static Vector adjoint(const G& x, const Vector& tau) { return rotate<Real>(x.unit_quaternion(), tau); }
-  static Vector adjoint_inverse(const G& x, const Vector& tau) { return rotate_inverse<Real>(x.unit_quaternion(), tau); }
+  static Vector adjoint_inverse(const G& x, const Vector& tau) {
+    return rotate_inverse<Real>(x.unit_quaternion(), tau);
+  }
   static Vector bracket(const Vector& a, const Vector& b) { return a.cross(b); }
   static Vector increment(const G& x, const G& y) {
     return rotation_increment<Real>(x.unit_quaternion(), y.unit_quaternion());
@@ -127,7 +129,8 @@ struct GroupTraits<Sophus::SE2<Real>> {
   }
   /// The translations are subtracted in the world, where that is exact for close x and y.
   static Vector increment(const G& x, const G& y) {
-    return logarithm(turn(SO2::inverse(x.so2()), y.translation() - x.translation()), SO2::increment(x.so2(), y.so2())[0]);
+    return logarithm(turn(SO2::inverse(x.so2()), y.translation() - x.translation()),
+                     SO2::increment(x.so2(), y.so2())[0]);
   }
   static Matrix3<Real> left_jacobian(const Vector& tau) {
     return planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
@@ -184,7 +187,8 @@ struct GroupTraits<Sophus::SE3<Real>> {
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
     const auto& q = x.unit_quaternion();
     const Vector3<Real> phi = tau.template tail<3>();
-    return join(rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)), rotate_inverse<Real>(q, phi));
+    return join(rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)),
+                rotate_inverse<Real>(q, phi));
   }
   /// [a, b] = [φ_a × ρ_b + ρ_a × φ_b; φ_a × φ_b]
   static Vector bracket(const Vector& a, const Vector& b) {

@@ -13,7 +13,8 @@
 ///
 /// Relative error (units of eps; measured on [0, π], float, double and long double): c₁ … c₅ at most 2.5, c₆, c₇ and
 /// inverse_jacobian_coefficient at most 2.5.
-/// Source: E. Stumpff, Himmelsmechanik I (1959), ch. V; doubling as in R. Danby, Fundamentals of Celestial Mechanics (1988), 6.9.
+/// Source: E. Stumpff, Himmelsmechanik I (1959), ch. V; doubling as in R. Danby, Fundamentals of Celestial Mechanics
+/// (1988), 6.9.
 #pragma once
 
 #include <algorithm>
@@ -31,9 +32,10 @@ namespace splinertia {
 template <typename Scalar>
 using Constant = std::conditional_t<
     (std::numeric_limits<Scalar>::digits <= std::numeric_limits<float>::digits), float,
-    std::conditional_t<(std::numeric_limits<Scalar>::digits <= std::numeric_limits<double>::digits), double,
-                       std::conditional_t<(std::numeric_limits<Scalar>::digits <= std::numeric_limits<long double>::digits),
-                                          long double, Scalar>>>;
+    std::conditional_t<
+        (std::numeric_limits<Scalar>::digits <= std::numeric_limits<double>::digits), double,
+        std::conditional_t<(std::numeric_limits<Scalar>::digits <= std::numeric_limits<long double>::digits),
+                           long double, Scalar>>>;
 
 /// c_n(X) and the values c_n(X/4) at half the angle that they were made from, n = 0 … N.
 template <typename Scalar, int N>
@@ -171,10 +173,22 @@ template <typename Scalar, int N>
   return (c.half[2] - c.half[3]) / (Constant<Scalar>(4) * c.half[1]);
 }
 
-/// (dc_n/dθ)/θ = n c_{n+2} − c_{n+1}. Needs N ≥ n + 2.
+/// (dc_n/dθ)/θ = n c_{n+2} − c_{n+1}, n = 1 … 5. Needs N ≥ n + 2. Towards π that difference cancels (n = 3: by a factor
+/// of 5), so the doubling formula of c_n is differentiated instead, where the differences are those at half the angle.
 template <int n, typename Scalar, int N>
 [[nodiscard]] inline Scalar stumpff_derivative(const StumpffValues<Scalar, N>& c) {
-  return Constant<Scalar>(n) * c.full[n + 2] - c.full[n + 1];
+  using Real = Constant<Scalar>;
+  static_assert(1 <= n && n <= 5);
+  const auto& h = c.half;
+  const Scalar d1 = h[3] - h[2];
+  if constexpr (n == 1) return (h[0] * d1 - h[1] * h[1]) / Real(4);
+  if constexpr (n == 2) return h[1] * d1 / Real(4);
+  if constexpr (n == 3) return (Real(2) * h[4] - h[3] - h[1] * h[3] + h[0] * (Real(3) * h[5] - h[4])) / Real(16);
+  if constexpr (n == 4) return ((Real(3) * h[5] - h[4]) * (Real(1) + h[1]) + h[3] * d1) / Real(32);
+  if constexpr (n == 5) {
+    const Scalar d2 = Real(2) * h[4] - h[3], d3 = Real(3) * h[5] - h[4];
+    return (Real(4) * h[6] - h[5] + Real(5) * h[7] - h[6] + d2 * h[3] + h[2] * d3) / Real(64);
+  }
 }
 
 /// (dE/dθ)/θ. Needs N ≥ 5.

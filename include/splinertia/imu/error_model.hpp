@@ -26,8 +26,8 @@ class ErrorModel {
 
   constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {}
 
-  /// The state before the first sample. Each term has random streams of its own under `sensor`, named by the term and by
-  /// how many of the same name stand before it.
+  /// The state before the first sample. Each term has random streams of its own under `sensor`, named by the term and
+  /// by how many of the same name stand before it.
   [[nodiscard]] State start(StreamKey sensor) const {
     return [&]<std::size_t... I>(std::index_sequence<I...>) { return State{start_term<I>(sensor)...}; }(indices);
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// What an error term is. A term is a struct of parameters with
 ///
-///   struct State;                                            what changes from sample to sample, for one sensor in one run;
+///   struct State;                                            what changes from sample to sample, for one sensor in one
+///   run;
 ///                                                            made from the term's StreamKey if it draws random numbers
 ///   void apply(Sample<Scalar>& sample, State& state) const;  what the term does to a sample
 ///   static constexpr std::string_view name                   names its random streams; only if it draws any
@@ -32,7 +33,8 @@ concept ErrorTerm = requires { typename T::State; };
 /// The random numbers of a term: an independent normal stream for each axis.
 class NormalStreams {
  public:
-  explicit NormalStreams(StreamKey term) : axes_{NormalStream(term / 0), NormalStream(term / 1), NormalStream(term / 2)} {}
+  explicit NormalStreams(StreamKey term)
+      : axes_{NormalStream(term / 0), NormalStream(term / 1), NormalStream(term / 2)} {}
 
   /// Three independent standard normal numbers.
   template <typename Scalar>

@@ -35,8 +35,9 @@ template <Pose G, int D>
   return {angular_velocity(motion), specific_force(motion, gravity)};
 }
 
-/// The measurement of an IMU on a lever arm l: to the specific force at the body's origin it adds the Euler term α × l and
-/// the centripetal term ω × (ω × l), and turns both readings into the IMU's axes. Savage, Strapdown Analytics (2000), 7.1.
+/// The measurement of an IMU on a lever arm l: to the specific force at the body's origin it adds the Euler term α × l
+/// and the centripetal term ω × (ω × l), and turns both readings into the IMU's axes. Savage, Strapdown Analytics
+/// (2000), 7.1.
 template <Pose G, int D>
   requires(D >= 2)
 [[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity,

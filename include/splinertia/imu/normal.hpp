@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Normal random numbers, the same to the last bit on every compiler and platform (std::normal_distribution's algorithm is
-/// the implementation's choice) and several times faster.
+/// Normal random numbers, the same to the last bit on every compiler and platform (std::normal_distribution's algorithm
+/// is the implementation's choice) and several times faster.
 #pragma once
 
 #include <array>
@@ -51,9 +51,9 @@ struct ZigguratTables {
   static constexpr std::size_t layers = 256;
   static constexpr double tail = 3.65415288536100877;        // where the tail begins
   static constexpr double area = 4.92867323397465534736e-3;  // of each layer
-  std::array<double, layers + 1> x{};      // right edges, from the base up; x[0] is that of a rectangle of the base's area
-  std::array<double, layers + 1> f{};      // exp(−x²/2)
-  std::array<double, layers> scale{};      // x · 2⁻⁵³
+  std::array<double, layers + 1> x{};  // right edges, from the base up; x[0] is that of a rectangle of the base's area
+  std::array<double, layers + 1> f{};  // exp(−x²/2)
+  std::array<double, layers> scale{};  // x · 2⁻⁵³
 };
 
 [[nodiscard]] constexpr ZigguratTables make_ziggurat_tables() {
@@ -78,8 +78,8 @@ struct ZigguratTables {
 inline constexpr ZigguratTables ziggurat_tables = make_ziggurat_tables();
 
 /// An endless stream of independent standard normal numbers, a function of its key alone.
-/// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with layer, sign and
-/// abscissa from bits of their own (Doornik, 2005).
+/// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with layer, sign
+/// and abscissa from bits of their own (Doornik, 2005).
 class NormalStream {
  public:
   constexpr explicit NormalStream(StreamKey key) : bits_(key) {}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Random numbers that are the same everywhere: streams named by what they are for, not by the order in which they are used.
+/// Random numbers that are the same everywhere: streams named by what they are for, not by the order in which they are
+/// used.
 #pragma once
 
 #include <array>
@@ -10,16 +11,16 @@
 
 namespace splinertia {
 
-/// Scrambles 64 bits: every bit of the result depends on every bit of x. The finaliser of SplitMix64: Steele, Lea, Flood,
-/// "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, with Stafford's constants (variant 13).
+/// Scrambles 64 bits: every bit of the result depends on every bit of x. The finaliser of SplitMix64: Steele, Lea,
+/// Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, with Stafford's constants (variant 13).
 [[nodiscard]] constexpr std::uint64_t scramble(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
   return x ^ (x >> 31);
 }
 
-/// Names a stream of random numbers: one for each run (seed), sensor, error term and axis. Streams of different names are
-/// independent, so that adding a term or a sensor leaves the numbers of all others as they were.
+/// Names a stream of random numbers: one for each run (seed), sensor, error term and axis. Streams of different names
+/// are independent, so that adding a term or a sensor leaves the numbers of all others as they were.
 class StreamKey {
  public:
   constexpr explicit StreamKey(std::uint64_t seed) : hash_(scramble(seed + golden_ratio)) {}

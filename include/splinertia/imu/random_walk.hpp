@@ -32,7 +32,8 @@ struct RandomWalk {
     if (!sample.first) {
       const Scalar root_interval = sqrt(sample.interval);
       const Vector3<Scalar> n = state.normal.template draw<Scalar>();
-      for (int axis = 0; axis < 3; ++axis) state.bias[axis] += density[static_cast<std::size_t>(axis)] * root_interval * n[axis];
+      for (int axis = 0; axis < 3; ++axis)
+        state.bias[axis] += density[static_cast<std::size_t>(axis)] * root_interval * n[axis];
     }
     sample.value += state.bias;
     sample.bias += state.bias;

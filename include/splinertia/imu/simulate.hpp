@@ -42,15 +42,15 @@ using ImuReading = BasicImuReading<double, double>;
 
 template <typename Scalar, TimePoint Time>
 struct SimulationOptions {
-  double rate = 200;                                      ///< samples a second, Hz
-  std::uint64_t seed = 0;                                 ///< of the run; the same seed gives the same samples
-  Vector3<Scalar> gravity = standard_gravity<Scalar>();   ///< acceleration of free fall in the world, m/s²
-  std::optional<Time> start{};                            ///< of the first sample; default: where the motion starts
-  std::optional<Time> end{};                              ///< no sample after it; default: where the motion ends
+  double rate = 200;                                     ///< samples a second, Hz
+  std::uint64_t seed = 0;                                ///< of the run; the same seed gives the same samples
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
+  std::optional<Time> start{};                           ///< of the first sample; default: where the motion starts
+  std::optional<Time> end{};                             ///< no sample after it; default: where the motion ends
 };
 
-/// The samples of an IMU on a moving body: a range that makes each sample when it is reached, in constant memory, and from
-/// the first one again at each begin(). See simulate().
+/// The samples of an IMU on a moving body: a range that makes each sample when it is reached, in constant memory, and
+/// from the first one again at each begin(). See simulate().
 template <typename Motion, typename Sensors>
 class Simulation {
  public:
@@ -156,7 +156,8 @@ class Simulation {
 
 /// What an IMU in the body frame measures along a motion, with the error terms of `sensors`:
 ///
-///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …   // r.time, r.gyro, r.accel, …
+///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …   // r.time, r.gyro, r.accel,
+///   …
 ///
 /// A motion passed as an lvalue is referred to and must outlive the simulation; a temporary is kept inside.
 /// Throws std::invalid_argument for a rate that is not positive and finite, times outside the motion, or no bounds.

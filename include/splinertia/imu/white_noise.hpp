@@ -26,7 +26,8 @@ struct WhiteNoise {
     using std::sqrt;
     const Scalar per_root_second = Scalar(1) / sqrt(sample.interval);
     const Vector3<Scalar> n = normal.draw<Scalar>();
-    for (int axis = 0; axis < 3; ++axis) sample.value[axis] += density[static_cast<std::size_t>(axis)] * per_root_second * n[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      sample.value[axis] += density[static_cast<std::size_t>(axis)] * per_root_second * n[axis];
   }
 };
 

@@ -89,7 +89,9 @@ class EurocGroundtruthWriter {
   explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, euroc_groundtruth_layout) {}
 
   /// One state: an EurocState or anything with its members, whichever kind of pose of doubles it keeps.
-  void append(const auto& state) requires std::convertible_to<decltype(state.time), std::chrono::nanoseconds> {
+  void append(const auto& state)
+    requires std::convertible_to<decltype(state.time), std::chrono::nanoseconds>
+  {
     const Eigen::Quaterniond& q = rotation(state.pose).unit_quaternion();
     table_.append(state.time, position(state.pose), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,
                   state.gyro_bias, state.accel_bias);

@@ -65,7 +65,7 @@ class TumWriter {
 
 /// Writes all poses T_WB [m] of a range; as TumWriter.
 template <std::ranges::input_range Poses>
-requires StampedPose<std::ranges::range_value_t<Poses>>
+  requires StampedPose<std::ranges::range_value_t<Poses>>
 void write_tum(const std::filesystem::path& path, Poses&& poses) {
   TumWriter writer(path);
   for (const auto& stamped : poses) writer.append(stamped);

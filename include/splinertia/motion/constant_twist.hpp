@@ -15,8 +15,8 @@ struct ConstantTwist {
   using Scalar = ScalarOf<G>;
   using Time = Scalar;
 
-  G initial = GroupTraits<G>::identity();     ///< X₀, the value at t = 0
-  Tangent<G> twist = Tangent<G>::Zero();      ///< body frame, per second
+  G initial = GroupTraits<G>::identity();  ///< X₀, the value at t = 0
+  Tangent<G> twist = Tangent<G>::Zero();   ///< body frame, per second
 
   [[nodiscard]] Time start() const { return -std::numeric_limits<Scalar>::infinity(); }
   [[nodiscard]] Time end() const { return std::numeric_limits<Scalar>::infinity(); }

@@ -27,7 +27,8 @@ struct EulerAngles {
     const Scalar sy = sin(half * yaw.angle), cy = cos(half * yaw.angle);
     const Scalar sp = sin(half * pitch.angle), cp = cos(half * pitch.angle);
     const Scalar sr = sin(half * roll.angle), cr = cos(half * roll.angle);
-    return {cy * cp * cr + sy * sp * sr, cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr, sy * cp * cr - cy * sp * sr};
+    return {cy * cp * cr + sy * sp * sr, cy * cp * sr - sy * sp * cr, cy * sp * cr + sy * cp * sr,
+            sy * cp * cr - cy * sp * sr};
   }
 
   /// ω in the body, rad/s. Diebel, "Representing Attitude" (2006), (287) with (292).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Cumulative B-spline basis functions λ_0 … λ_{k−1} of order k on one segment, λ_j = Σ_{l ≥ j} B_l. λ_0 = 1 is left out.
+/// Cumulative B-spline basis functions λ_0 … λ_{k−1} of order k on one segment, λ_j = Σ_{l ≥ j} B_l. λ_0 = 1 is left
+/// out.
 #pragma once
 
 #include <array>

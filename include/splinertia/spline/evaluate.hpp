@@ -5,8 +5,8 @@
 ///   X(t) = X_0 A_1 … A_{k−1},  A_j = exp(λ_j d_j),  d_j = log(X_{j−1}⁻¹ X_j)
 ///
 /// Sommer et al., "Efficient Derivative Computation for Cumulative B-Splines on Lie Groups", CVPR 2020, (24)–(31), run
-/// backwards: with P = A_{j+1} … A_{k−1}, each factor needs one tangent vector to be seen from P instead of one for every
-/// derivative, and value and all derivatives come out of the same pass.
+/// backwards: with P = A_{j+1} … A_{k−1}, each factor needs one tangent vector to be seen from P instead of one for
+/// every derivative, and value and all derivatives come out of the same pass.
 #pragma once
 
 #include <cstddef>
@@ -81,7 +81,9 @@ template <int D, LieGroup... F, int Order>
     if constexpr (D >= 2) m.acceleration.template segment<dof>(offset) = f.acceleration;
     if constexpr (D >= 3) m.jerk.template segment<dof>(offset) = f.jerk;
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) { (factor.template operator()<I>(), ...); }(std::index_sequence_for<F...>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (factor.template operator()<I>(), ...);
+  }(std::index_sequence_for<F...>{});
   return m;
 }
 
@@ -90,8 +92,10 @@ template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   std::array<Tangent<G>, Order - 1> increments;
-  for (std::size_t j = 0; j < increments.size(); ++j) increments[j] = increment<G>(control_points[j], control_points[j + 1]);
-  return evaluate_increments<D>(control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
+  for (std::size_t j = 0; j < increments.size(); ++j)
+    increments[j] = increment<G>(control_points[j], control_points[j + 1]);
+  return evaluate_increments<D>(
+      control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
 }
 
 }  // namespace splinertia

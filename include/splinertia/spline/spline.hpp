@@ -30,12 +30,14 @@ class Spline {
   using Time = typename Knots::Time;
   static constexpr int order = Order;
 
-  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not finite.
-  Spline(const Knots& knots, std::vector<G> control_points) : knots_(knots), control_points_(std::move(control_points)) {
+  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not
+  /// finite.
+  Spline(const Knots& knots, std::vector<G> control_points)
+      : knots_(knots), control_points_(std::move(control_points)) {
     knots_.check();
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
-      throw std::invalid_argument(message("Spline: ", control_points_.size(), " control points, expected at least ", Order,
-                                          ", the order of the curve"));
+      throw std::invalid_argument(message("Spline: ", control_points_.size(), " control points, expected at least ",
+                                          Order, ", the order of the curve"));
     }
     increments_.resize(control_points_.size() - 1);
     for (std::size_t i = 0; i < increments_.size(); ++i) update_increment(i);
@@ -50,7 +52,8 @@ class Spline {
   [[nodiscard]] Motion<G, D> evaluate(Time t) const {
     const auto [first, basis] = knots_.template basis<Scalar, Order, D>(t, segments());
     const Tangent<G>* d = increments_.data() + first;
-    return evaluate_increments<D>(control_points_[first], [d](std::size_t j) -> const Tangent<G>& { return d[j]; }, basis);
+    return evaluate_increments<D>(
+        control_points_[first], [d](std::size_t j) -> const Tangent<G>& { return d[j]; }, basis);
   }
 
   /// As evaluate(); throws std::out_of_range unless start() <= t <= end().

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/time.hpp>
@@ -69,7 +70,11 @@ struct UniformKnots {
         --s;
         remainder = std::fma(-static_cast<Time>(s), interval, elapsed);
       }
-      u = static_cast<Scalar>(remainder / interval);
+      if constexpr (std::numeric_limits<Scalar>::digits > std::numeric_limits<Time>::digits) {
+        u = Scalar(remainder) / Scalar(interval);
+      } else {
+        u = static_cast<Scalar>(remainder / interval);
+      }
     } else {
       const auto elapsed = (t - start).count();
       s = static_cast<std::size_t>(elapsed / interval.count());

@@ -19,8 +19,8 @@ concept ImuSample = requires(const S& s) {
   { s.accel } -> std::convertible_to<Vector3<Scalar>>;
 };
 
-/// Integrates the samples of an IMU from `initial` on, in the inertial frame W with the acceleration of free fall `gravity`
-/// (m/s²). Scheme is Euler, Midpoint or any type with
+/// Integrates the samples of an IMU from `initial` on, in the inertial frame W with the acceleration of free fall
+/// `gravity` (m/s²). Scheme is Euler, Midpoint or any type with
 ///
 ///   static NavState step(const NavState& state, const Sample& from, const Sample& to, const Vector3& gravity)
 ///
