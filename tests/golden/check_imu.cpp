@@ -127,7 +127,7 @@ void compare_reading(const Row& row, Grader<Scalar>& grader,
                                          vector<Scalar>(row, "lever")};
 
   constexpr int rotation_begin = splinertia::SplitPose<G> ? 0 : 3;
-  const auto place = spline.knots().template basis<Scalar, Order, 3>(t, spline.segments());
+  const auto place = spline.knots().template basis<Scalar, Order, 3>(t, spline.control_points().size());
   const auto d = [&](std::size_t j) { return spline.increments()[place.first + j]; };
   const auto turn = natural_sizes(place.basis, d, rotation_begin),
              shift = natural_sizes(place.basis, d, 3 - rotation_begin);

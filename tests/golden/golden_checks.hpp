@@ -16,11 +16,14 @@ void check_se3_lie(const Table& table, Report& report);
 void check_se3_log(const Table& table, Report& report);
 void check_basis_matrix(const Table& table, Report& report);
 void check_basis_uniform(const Table& table, Report& report);
+void check_basis_nonuniform(const Table& table, Report& report);
 void check_so3_spline(const Table& table, Report& report);
 void check_so3_spline_inc(const Table& table, Report& report);
 void check_so3r3_spline(const Table& table, Report& report);
 void check_se3_spline(const Table& table, Report& report);
 void check_se3_spline_inc(const Table& table, Report& report);
+void check_jac_so3(const Table& table, Report& report);
+void check_jac_se3(const Table& table, Report& report);
 void check_imu_truth(const Table& table, Report& report);
 void check_imu_spline(const Table& table, Report& report);
 

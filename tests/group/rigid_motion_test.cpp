@@ -61,8 +61,8 @@ TEMPLATE_TEST_CASE("exp, log and blocks against their series", "[group]", float,
                                         V3(J_inverse * t_rounded.template cast<Real>())));
       jacobian = std::max(jacobian, units<Scalar>(rotation_left_jacobian<Scalar>(phi), J));
       inverse = std::max(inverse, units<Scalar>(rotation_left_jacobian_inverse<Scalar>(phi), J_inverse));
-      block = std::max(block, units<Scalar>(rigid_motion_left_jacobian_block<Scalar>(rho, phi), Q));
-      inverse_block = std::max(inverse_block, units<Scalar>(rigid_motion_left_jacobian_inverse_block<Scalar>(rho, phi),
+      block = std::max(block, units<Scalar>(rigid_motion_left_jacobian<Scalar>(rho, phi).dual, Q));
+      inverse_block = std::max(inverse_block, units<Scalar>(rigid_motion_left_jacobian_inverse<Scalar>(rho, phi).dual,
                                                             M3(-J_inverse * Q * J_inverse)));
     }
   }

@@ -30,6 +30,11 @@ TEST_CASE("After a time T the bias has deviation K times root T, whatever the ra
   }
 }
 
+TEST_CASE("A density is given as a number, one for each axis, or a vector") {
+  STATIC_CHECK(std::is_same_v<decltype(RandomWalk{0.1F}), RandomWalk<float>>);
+  CHECK(RandomWalk{Eigen::Vector3d(1, 2, 3)}.density[2] == 3);
+}
+
 TEST_CASE("A density that is none is refused") {
   CHECK_THROWS_WITH(RandomWalk{-1.0}, "RandomWalk: density is -1, expected a finite number >= 0");
   CHECK_THROWS_AS(RandomWalk{std::nan("")}, std::invalid_argument);

@@ -29,6 +29,13 @@ TEMPLATE_TEST_CASE("The standard deviation of a sample is density times root rat
   }
 }
 
+TEST_CASE("A density is given as a number, one for each axis, or a vector") {
+  STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{0.1}), WhiteNoise<double>>);
+  STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{0.1F}), WhiteNoise<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{PerAxis<double>(1, 2, 3)}), WhiteNoise<double>>);
+  CHECK(WhiteNoise{Eigen::Vector3d(1, 2, 3)}.density[1] == 2);
+}
+
 TEST_CASE("A density that is none is refused") {
   CHECK_THROWS_WITH(WhiteNoise{-0.1}, "WhiteNoise: density is -0.1, expected a finite number >= 0");
   CHECK_THROWS_AS(WhiteNoise{std::nan("")}, std::invalid_argument);

@@ -40,7 +40,7 @@ void check_order() {
   CHECK(increment<G>(curve.template evaluate<0>(t).value, m.value).isZero(0));
 
   // So does owning the control points oneself.
-  const auto [first, basis] = curve.knots().template basis<double, Order, 3>(t, curve.segments());
+  const auto [first, basis] = curve.knots().template basis<double, Order, 3>(t, curve.control_points().size());
   const std::span<const G, Order> points(curve.control_points().data() + first, Order);
   const auto own = evaluate<3>(points, basis);
   CHECK(own.jerk == m.jerk);

@@ -12,11 +12,11 @@ using std::chrono::nanoseconds;
 TEST_CASE("A time in seconds falls into the segment that holds it, to the last bit") {
   // Dividing rounds: floor(t/0.1) is wrong for dozens of t = m/10. What counts is where the time lies, so u must be in
   // [0, 1] and give the time back.
-  const UniformKnots knots{.start = 0.0, .interval = 0.1};
+  const UniformKnots<double> knots{.start = 0.0, .interval = 0.1};
   for (int m = 0; m <= 1000; ++m) {
     for (const double t : {m * 0.1, std::nextafter(m * 0.1, 0.0), m / 10.0}) {
-      if (t > knots.end(1000)) continue;
-      const auto [first, basis] = knots.basis<double, 2, 0>(t, 1000);
+      if (t > knots.domain(1001, 2).end) continue;
+      const auto [first, basis] = knots.basis<double, 2, 0>(t, 1001);
       const double u = basis.lambda[0][0];
       CHECK(u >= 0);
       CHECK(u <= 1);
@@ -26,8 +26,8 @@ TEST_CASE("A time in seconds falls into the segment that holds it, to the last b
 }
 
 TEST_CASE("The end belongs to the last segment") {
-  const UniformKnots knots{.start = -3.0, .interval = 0.3};
-  const auto [first, basis] = knots.basis<double, 2, 0>(knots.end(7), 7);
+  const UniformKnots<double> knots{.start = -3.0, .interval = 0.3};
+  const auto [first, basis] = knots.basis<double, 2, 0>(knots.domain(8, 2).end, 8);
   CHECK(first == 6);
   CHECK_THAT(basis.lambda[0][0], WithinULP(1.0, 4));
 }
@@ -38,19 +38,28 @@ TEST_CASE("Nanoseconds at an epoch of today lose nothing") {
   const UniformKnots at_zero{nanoseconds{0}, interval};
   const UniformKnots at_epoch{epoch, interval};
   for (const std::int64_t t : {0LL, 1LL, 49'999'999LL, 50'000'000LL, 123'456'789LL, 5'000'000'000LL}) {
-    const auto zero = at_zero.basis<double, 4, 2>(nanoseconds{t}, 100);
-    const auto now = at_epoch.basis<double, 4, 2>(epoch + nanoseconds{t}, 100);
+    const auto zero = at_zero.basis<double, 4, 2>(nanoseconds{t}, 103);
+    const auto now = at_epoch.basis<double, 4, 2>(epoch + nanoseconds{t}, 103);
     CHECK(zero.first == now.first);
     CHECK(zero.basis.lambda == now.basis.lambda);
   }
-  CHECK(at_epoch.end(100) == epoch + nanoseconds{5'000'000'000});
+  CHECK(at_epoch.domain(103, 4).start == epoch);
+  CHECK(at_epoch.domain(103, 4).end == epoch + nanoseconds{5'000'000'000});
 }
 
 TEST_CASE("Knots that are none are refused with the value") {
-  CHECK_THROWS_WITH((UniformKnots{0.0, 0.0}.check()), "UniformKnots: interval is 0, expected a positive finite number");
-  CHECK_THROWS_WITH((UniformKnots{0.0, -0.5}.check()),
+  CHECK_THROWS_WITH((UniformKnots{0.0, 0.0}.check(4, 4)),
+                    "UniformKnots: interval is 0, expected a positive finite number");
+  CHECK_THROWS_WITH((UniformKnots{0.0, -0.5}.check(4, 4)),
                     "UniformKnots: interval is -0.5, expected a positive finite number");
-  CHECK_THROWS_AS((UniformKnots{0.0, std::nan("")}.check()), std::invalid_argument);
-  CHECK_THROWS_AS((UniformKnots{std::nan(""), 1.0}.check()), std::invalid_argument);
-  CHECK_THROWS_AS((UniformKnots{nanoseconds{0}, nanoseconds{0}}.check()), std::invalid_argument);
+  CHECK_THROWS_AS((UniformKnots{0.0, std::nan("")}.check(4, 4)), std::invalid_argument);
+  CHECK_THROWS_AS((UniformKnots{std::nan(""), 1.0}.check(4, 4)), std::invalid_argument);
+  CHECK_THROWS_AS((UniformKnots{nanoseconds{0}, nanoseconds{0}}.check(4, 4)), std::invalid_argument);
+  CHECK_THROWS_WITH((UniformKnots{1e308, 1e308}.check(5, 4)),
+                    "UniformKnots: 2 segments of 1e+308 from 1e+308 on end later than any time that there is");
+  const nanoseconds year{31'556'952'000'000'000};
+  CHECK_NOTHROW(UniformKnots{nanoseconds{0}, year}.check(292, 2));  // int64 nanoseconds hold 292 years
+  CHECK_THROWS_AS((UniformKnots{nanoseconds{0}, year}.check(300, 2)), std::invalid_argument);
+  CHECK_THROWS_AS((UniformKnots{50 * year, year}.check(292, 2)), std::invalid_argument);
+  CHECK_NOTHROW(UniformKnots{-50 * year, year}.check(292, 2));
 }

@@ -35,6 +35,15 @@ namespace splinertia {
 ///
 ///   static Jacobian left_jacobian(const Tangent& tau)                J_l(τ)
 ///   static Jacobian left_jacobian_inverse(const Tangent& tau)        J_l(τ)⁻¹, for |rotation| < 2π
+///
+/// and, to make linearizing a curve cheaper than with Jacobians as dense matrices,
+///
+///   using Operator = …                           what left_jacobian returns: +, −, · by itself and by Scalar,
+///   identity(),
+///                                                and a conversion to Jacobian (default: Jacobian)
+///   static Operator adjoint_inverse_operator(const G& x)                 Ad_{x⁻¹}
+///   static Operator bracket_times(const Tangent& a, const Operator& M)   ad_a M
+///   static Operator times_bracket(const Operator& M, const Tangent& a)   M ad_a
 template <typename G>
 struct GroupTraits;
 

@@ -6,6 +6,7 @@
 /// besides those of group/stumpff.hpp.
 #pragma once
 
+#include <splinertia/group/dual_matrix.hpp>
 #include <splinertia/group/rotation.hpp>
 
 namespace splinertia {
@@ -47,25 +48,31 @@ template <typename Scalar>
   return m;
 }
 
-/// Q(ρ, φ), the upper right block of J_l([ρ; φ]):
+/// J_l([ρ; φ]) = [J_l(φ) Q; 0 J_l(φ)] with
 ///   Q = c₂ ρ^ + c₃ (φ^ρ^ + ρ^φ^) + (φ·ρ)[(2c₄ − c₃) φ^ + (3c₅ − c₄) φ^²].
-/// Barfoot (7.86), rewritten; that of J_r is Q(−ρ, −φ).
+/// Barfoot (7.85), (7.86), rewritten.
 template <typename Scalar>
-[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_block(const Vector3<Scalar>& rho,
-                                                                      const Vector3<Scalar>& phi) {
+[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian(const Vector3<Scalar>& rho,
+                                                                    const Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
   const Scalar dot = phi.dot(rho);
-  return hat<Scalar>(c.full[2] * rho) + c.full[3] * hat_anticommutator(phi, rho) +
-         hat_polynomial<Scalar>(Scalar(0), dot * stumpff_derivative<2>(c), dot * stumpff_derivative<3>(c), phi);
+  return {hat_polynomial<Scalar>(Scalar(1), c.full[2], c.full[3], phi),
+          hat<Scalar>(c.full[2] * rho) + c.full[3] * hat_anticommutator(phi, rho) +
+              hat_polynomial<Scalar>(Scalar(0), dot * stumpff_derivative<2>(c), dot * stumpff_derivative<3>(c), phi)};
 }
 
-/// The upper right block of J_l([ρ; φ])⁻¹: −ρ^/2 + E (φ^ρ^ + ρ^φ^) + (φ·ρ) (dE/dθ)/θ φ^², |φ| < 2π.
+/// J_l([ρ; φ])⁻¹ = [J_l(φ)⁻¹ B; 0 J_l(φ)⁻¹], |φ| < 2π, with
+///   B = −ρ^/2 + E (φ^ρ^ + ρ^φ^) + (φ·ρ) (dE/dθ)/θ φ^².
 template <typename Scalar>
-[[nodiscard]] inline Matrix3<Scalar> rigid_motion_left_jacobian_inverse_block(const Vector3<Scalar>& rho,
-                                                                              const Vector3<Scalar>& phi) {
+[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian_inverse(const Vector3<Scalar>& rho,
+                                                                            const Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
-  return hat<Scalar>(rho / Constant<Scalar>(-2)) + inverse_jacobian_coefficient(c) * hat_anticommutator(phi, rho) +
-         hat_polynomial<Scalar>(Scalar(0), Scalar(0), phi.dot(rho) * inverse_jacobian_coefficient_derivative(c), phi);
+  const Scalar E = inverse_jacobian_coefficient(c);
+  const Scalar minus_half(Constant<Scalar>(-1) / Constant<Scalar>(2));
+  const Scalar slope = phi.dot(rho) * inverse_jacobian_coefficient_derivative(c);
+  return {hat_polynomial<Scalar>(Scalar(1), minus_half, E, phi),
+          hat<Scalar>(minus_half * rho) + E * hat_anticommutator(phi, rho) +
+              hat_polynomial<Scalar>(Scalar(0), Scalar(0), slope, phi)};
 }
 
 }  // namespace splinertia

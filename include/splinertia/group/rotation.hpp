@@ -58,18 +58,32 @@ template <typename Scalar>
   return rotation_log_folded<Scalar>(v, flip ? Scalar(-dot) : dot);
 }
 
-/// R v for the unit quaternion q of R.
+/// The product of quaternions. Component by component: Eigen's goes through memory where values are in registers.
+template <typename Scalar>
+[[nodiscard]] inline Eigen::Quaternion<Scalar> quaternion_product(const Eigen::Quaternion<Scalar>& a,
+                                                                  const Eigen::Quaternion<Scalar>& b) {
+  return {a.w() * b.w() - a.x() * b.x() - a.y() * b.y() - a.z() * b.z(),
+          a.w() * b.x() + a.x() * b.w() + a.y() * b.z() - a.z() * b.y(),
+          a.w() * b.y() + a.y() * b.w() + a.z() * b.x() - a.x() * b.z(),
+          a.w() * b.z() + a.z() * b.w() + a.x() * b.y() - a.y() * b.x()};
+}
+
+/// R v for the unit quaternion q of R: v + w t + u × t with t = 2 u × v.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotate(const Eigen::Quaternion<Scalar>& q, const Vector3<Scalar>& v) {
-  const Vector3<Scalar> t = Constant<Scalar>(2) * q.vec().cross(v);
-  return v + q.w() * t + q.vec().cross(t);
+  const Scalar ux = q.x() + q.x(), uy = q.y() + q.y(), uz = q.z() + q.z();
+  const Scalar tx = uy * v.z() - uz * v.y(), ty = uz * v.x() - ux * v.z(), tz = ux * v.y() - uy * v.x();
+  return {v.x() + q.w() * tx + (q.y() * tz - q.z() * ty), v.y() + q.w() * ty + (q.z() * tx - q.x() * tz),
+          v.z() + q.w() * tz + (q.x() * ty - q.y() * tx)};
 }
 
 /// Rᵀ v for the unit quaternion q of R.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotate_inverse(const Eigen::Quaternion<Scalar>& q, const Vector3<Scalar>& v) {
-  const Vector3<Scalar> t = Constant<Scalar>(2) * v.cross(q.vec());
-  return v + q.w() * t + t.cross(q.vec());
+  const Scalar ux = q.x() + q.x(), uy = q.y() + q.y(), uz = q.z() + q.z();
+  const Scalar tx = uz * v.y() - uy * v.z(), ty = ux * v.z() - uz * v.x(), tz = uy * v.x() - ux * v.y();
+  return {v.x() + q.w() * tx + (q.z() * ty - q.y() * tz), v.y() + q.w() * ty + (q.x() * tz - q.z() * tx),
+          v.z() + q.w() * tz + (q.y() * tx - q.x() * ty)};
 }
 
 /// φ^, the matrix with φ^ v = φ × v.
@@ -78,6 +92,43 @@ template <typename Scalar>
   const Scalar zero(0);
   Matrix3<Scalar> m;
   m << zero, -phi.z(), phi.y(), phi.z(), zero, -phi.x(), -phi.y(), phi.x(), zero;
+  return m;
+}
+
+/// Rᵀ for the unit quaternion q of R.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> rotation_matrix_transposed(const Eigen::Quaternion<Scalar>& q) {
+  const Scalar x = q.x() + q.x(), y = q.y() + q.y(), z = q.z() + q.z();
+  const Scalar xx = x * q.x(), yy = y * q.y(), zz = z * q.z();
+  const Scalar xy = x * q.y(), xz = x * q.z(), yz = y * q.z();
+  const Scalar wx = x * q.w(), wy = y * q.w(), wz = z * q.w();
+  const Scalar one(1);
+  Matrix3<Scalar> m;
+  m << one - (yy + zz), xy + wz, xz - wy,  //
+      xy - wz, one - (xx + zz), yz + wx,   //
+      xz + wy, yz - wx, one - (xx + yy);
+  return m;
+}
+
+/// M φ^: every row of M times φ^ is its cross product with φ.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> times_hat(const Matrix3<Scalar>& M, const Vector3<Scalar>& phi) {
+  Matrix3<Scalar> m;
+  m.col(0) = M.col(1) * phi.z() - M.col(2) * phi.y();
+  m.col(1) = M.col(2) * phi.x() - M.col(0) * phi.z();
+  m.col(2) = M.col(0) * phi.y() - M.col(1) * phi.x();
+  return m;
+}
+
+/// φ^ M: the cross product of φ with every column of M.
+template <typename Scalar>
+[[nodiscard]] inline Matrix3<Scalar> hat_times(const Vector3<Scalar>& phi, const Matrix3<Scalar>& M) {
+  Matrix3<Scalar> m;
+  for (int i = 0; i < 3; ++i) {
+    m(0, i) = phi.y() * M(2, i) - phi.z() * M(1, i);
+    m(1, i) = phi.z() * M(0, i) - phi.x() * M(2, i);
+    m(2, i) = phi.x() * M(1, i) - phi.y() * M(0, i);
+  }
   return m;
 }
 

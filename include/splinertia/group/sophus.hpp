@@ -17,7 +17,10 @@ namespace splinertia {
 template <typename Scalar>
 [[nodiscard]] inline Sophus::SO3<Scalar> rotation_from_unit_quaternion(const Eigen::Quaternion<Scalar>& q) {
   Sophus::SO3<Scalar> R;
-  Eigen::Map<Eigen::Quaternion<Scalar>>(R.data()) = q;
+  R.data()[0] = q.x();
+  R.data()[1] = q.y();
+  R.data()[2] = q.z();
+  R.data()[3] = q.w();
   return R;
 }
 
@@ -75,7 +78,7 @@ struct GroupTraits<Sophus::SO3<Real>> {
 
   static G identity() { return G{}; }
   static G compose(const G& x, const G& y) {
-    return rotation_from_unit_quaternion<Real>(x.unit_quaternion() * y.unit_quaternion());
+    return rotation_from_unit_quaternion<Real>(quaternion_product<Real>(x.unit_quaternion(), y.unit_quaternion()));
   }
   static G inverse(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().conjugate()); }
   static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(tau)); }
@@ -90,6 +93,11 @@ struct GroupTraits<Sophus::SO3<Real>> {
   }
   static Matrix3<Real> left_jacobian(const Vector& tau) { return rotation_left_jacobian<Real>(tau); }
   static Matrix3<Real> left_jacobian_inverse(const Vector& tau) { return rotation_left_jacobian_inverse<Real>(tau); }
+  static Matrix3<Real> adjoint_inverse_operator(const G& x) {
+    return rotation_matrix_transposed<Real>(x.unit_quaternion());
+  }
+  static Matrix3<Real> bracket_times(const Vector& a, const Matrix3<Real>& M) { return hat_times<Real>(a, M); }
+  static Matrix3<Real> times_bracket(const Matrix3<Real>& M, const Vector& a) { return times_hat<Real>(M, a); }
 };
 
 template <typename Real>
@@ -160,13 +168,13 @@ struct GroupTraits<Sophus::SE3<Real>> {
   using Scalar = Real;
   using G = Sophus::SE3<Real>;
   using Vector = Eigen::Matrix<Real, 6, 1>;
-  using Square = Eigen::Matrix<Real, 6, 6>;
+  using Operator = DualMatrix3<Real>;
   static constexpr int Dof = 6;
 
   static G identity() { return G{}; }
   static G compose(const G& x, const G& y) {
     const auto& q = x.unit_quaternion();
-    return make(q * y.unit_quaternion(), x.translation() + rotate<Real>(q, y.translation()));
+    return make(quaternion_product<Real>(q, y.unit_quaternion()), x.translation() + rotate<Real>(q, y.translation()));
   }
   static G inverse(const G& x) {
     const auto& q = x.unit_quaternion();
@@ -202,13 +210,24 @@ struct GroupTraits<Sophus::SE3<Real>> {
     return logarithm(rotate_inverse<Real>(q, y.translation() - x.translation()),
                      rotation_increment<Real>(q, y.unit_quaternion()));
   }
-  static Square left_jacobian(const Vector& tau) {
-    const Vector3<Real> rho = tau.template head<3>(), phi = tau.template tail<3>();
-    return blocks(rotation_left_jacobian<Real>(phi), rigid_motion_left_jacobian_block<Real>(rho, phi));
+  static Operator left_jacobian(const Vector& tau) {
+    return rigid_motion_left_jacobian<Real>(tau.template head<3>(), tau.template tail<3>());
   }
-  static Square left_jacobian_inverse(const Vector& tau) {
-    const Vector3<Real> rho = tau.template head<3>(), phi = tau.template tail<3>();
-    return blocks(rotation_left_jacobian_inverse<Real>(phi), rigid_motion_left_jacobian_inverse_block<Real>(rho, phi));
+  static Operator left_jacobian_inverse(const Vector& tau) {
+    return rigid_motion_left_jacobian_inverse<Real>(tau.template head<3>(), tau.template tail<3>());
+  }
+  /// [Rᵀ −Rᵀt^; 0 Rᵀ]
+  static Operator adjoint_inverse_operator(const G& x) {
+    const Matrix3<Real> R_transposed = rotation_matrix_transposed<Real>(x.unit_quaternion());
+    return {R_transposed, -times_hat<Real>(R_transposed, x.translation())};
+  }
+  static Operator bracket_times(const Vector& a, const Operator& M) {
+    const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
+    return {hat_times<Real>(phi, M.real), hat_times<Real>(phi, M.dual) + hat_times<Real>(rho, M.real)};
+  }
+  static Operator times_bracket(const Operator& M, const Vector& a) {
+    const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
+    return {times_hat<Real>(M.real, phi), times_hat<Real>(M.dual, phi) + times_hat<Real>(M.real, rho)};
   }
 
  private:
@@ -225,11 +244,6 @@ struct GroupTraits<Sophus::SE3<Real>> {
   }
   static Vector logarithm(const Vector3<Real>& t, const Vector3<Real>& phi) {
     return join(rigid_motion_log<Real>(t, phi), phi);
-  }
-  static Square blocks(const Matrix3<Real>& diagonal, const Matrix3<Real>& upper) {
-    Square m;
-    m << diagonal, upper, Matrix3<Real>::Zero(), diagonal;
-    return m;
   }
 };
 

@@ -27,6 +27,9 @@ struct LeverArm {
   Vector3<Scalar> p_BI;      ///< the IMU's origin in the body, m
 };
 
+template <typename Scalar>
+LeverArm(const Sophus::SO3<Scalar>&, const Vector3<Scalar>&) -> LeverArm<Scalar>;
+
 /// The measurement of an IMU in the body frame: gyro = ω, accel = Rᵀ(p̈ − gravity). `gravity` in the world, m/s².
 template <Pose G, int D>
   requires(D >= 2)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/per_axis.hpp>
 #include <string_view>
@@ -40,7 +41,9 @@ struct RandomWalk {
   }
 };
 
-template <typename Scalar>
+template <std::floating_point Scalar>
 RandomWalk(Scalar) -> RandomWalk<Scalar>;
+template <typename Scalar>
+RandomWalk(const Vector3<Scalar>&) -> RandomWalk<Scalar>;
 
 }  // namespace splinertia

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/per_axis.hpp>
 #include <string_view>
@@ -31,7 +32,9 @@ struct WhiteNoise {
   }
 };
 
-template <typename Scalar>
+template <std::floating_point Scalar>
 WhiteNoise(Scalar) -> WhiteNoise<Scalar>;
+template <typename Scalar>
+WhiteNoise(const Vector3<Scalar>&) -> WhiteNoise<Scalar>;
 
 }  // namespace splinertia

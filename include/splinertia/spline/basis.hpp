@@ -93,21 +93,22 @@ template <int Order, int j, int m, typename Scalar>
 }
 
 /// The basis of uniform knots at u ∈ [0, 1] of a segment of `interval` seconds.
-/// Error at most 0.7 eps of the largest value, 1.6 eps of the largest derivative.
-template <int Order, int D, typename Scalar>
-[[nodiscard]] inline CumulativeBasis<Scalar, Order, D> uniform_basis(const Scalar& u, const Scalar& interval) {
-  using Real = Constant<Scalar>;
+/// Error at most 0.7 eps of the largest value, 1.6 eps of the largest derivative. For a Scalar of automatic
+/// differentiation u may be of a plain type, if nothing is differentiated by time.
+template <int Order, int D, typename U, typename Scalar = U>
+[[nodiscard]] inline CumulativeBasis<Scalar, Order, D> uniform_basis(const U& u, const U& interval) {
+  using Real = Constant<U>;
   CumulativeBasis<Scalar, Order, D> basis;
-  const auto row = [&]<std::size_t m>(const Scalar& scale) {
+  const auto row = [&]<std::size_t m>(const U& scale) {
     [&]<std::size_t... J>(std::index_sequence<J...>) {
       if constexpr (m < Order) {
-        ((basis.lambda[m][J] = uniform_basis_polynomial<Order, J + 1, m>(u) * scale), ...);
+        ((basis.lambda[m][J] = static_cast<Scalar>(uniform_basis_polynomial<Order, J + 1, m>(u) * scale)), ...);
       } else {
         ((basis.lambda[m][J] = Scalar(0)), ...);
       }
     }(std::make_index_sequence<Order - 1>{});
   };
-  const Scalar scale(Real(1) / static_cast<Real>(factorial(Order - 1)));
+  const U scale(Real(1) / static_cast<Real>(factorial(Order - 1)));
   row.template operator()<0>(scale);
   if constexpr (D >= 1) row.template operator()<1>(scale / interval);
   if constexpr (D >= 2) row.template operator()<2>(scale / interval / interval);

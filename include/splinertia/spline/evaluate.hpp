@@ -9,6 +9,7 @@
 /// every derivative, and value and all derivatives come out of the same pass.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <splinertia/group/lie_group.hpp>
@@ -18,16 +19,23 @@
 
 namespace splinertia {
 
+/// Does nothing, at no cost: the observer of those who want no more than the motion.
+struct NoObserver {
+  void operator()(auto&&...) const {}
+};
+
 /// The curve from its first control point and its increments; d(j) returns d_{j+1}, j = 0 … Order − 2.
 /// Linear in the order; calls exp once for each increment (once in all on a commutative group) and no logarithm.
-template <int D, LieGroup G, int Order>
+/// On a group that is not commutative, observe(j, P, m) is told, for j = Order − 2 … 0, what the factors from j on make:
+/// P = A_{j+1} … A_{k−1}, and their velocity and acceleration in m.
+template <int D, LieGroup G, int Order, typename Observer = NoObserver>
 [[nodiscard]] inline Motion<G, D> evaluate_increments(const G& first, const auto& d,
-                                                      const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+                                                      const CumulativeBasis<ScalarOf<G>, Order, D>& basis,
+                                                      [[maybe_unused]] const Observer& observe = {}) {
   using Traits = GroupTraits<G>;
   using Scalar = ScalarOf<G>;
   constexpr std::size_t last = Order - 2;
   const auto& lambda = basis.lambda;
-  // Sums over the increments behind the current one, all seen from the end of the chain.
   Motion<G, D> m;
   if constexpr (is_commutative<G>) {
     const auto sum = [&](const auto& weights) {
@@ -40,10 +48,12 @@ template <int D, LieGroup G, int Order>
     if constexpr (D >= 2) m.acceleration = sum(lambda[2]);
     if constexpr (D >= 3) m.jerk = sum(lambda[3]);
   } else {
+    // Sums over the factors behind the current one, all seen from the end of the chain.
     G P = Traits::exp(lambda[0][last] * d(last));
     if constexpr (D >= 1) m.velocity = lambda[1][last] * d(last);
     if constexpr (D >= 2) m.acceleration = lambda[2][last] * d(last);
     if constexpr (D >= 3) m.jerk = lambda[3][last] * d(last);
+    observe(last, P, m);
     for (std::size_t j = last; j-- > 0;) {
       if constexpr (D >= 1) {
         const Tangent<G> seen = adjoint_inverse<G>(P, d(j));
@@ -58,6 +68,7 @@ template <int D, LieGroup G, int Order>
         m.velocity += lambda[1][j] * seen;
       }
       P = Traits::compose(Traits::exp(lambda[0][j] * d(j)), P);
+      observe(j, P, m);
     }
     m.value = Traits::compose(first, P);
   }
@@ -87,13 +98,20 @@ template <int D, LieGroup... F, int Order>
   return m;
 }
 
+/// d_1 … d_{k−1} between the Order control points that shape a curve.
+template <LieGroup G, int Order>
+[[nodiscard]] inline std::array<Tangent<G>, Order - 1> increments_between(
+    std::span<const G, static_cast<std::size_t>(Order)> control_points) {
+  std::array<Tangent<G>, Order - 1> d;
+  for (std::size_t j = 0; j < d.size(); ++j) d[j] = increment<G>(control_points[j], control_points[j + 1]);
+  return d;
+}
+
 /// The curve from the Order control points that shape it and the basis there, e.g. of UniformKnots::basis.
 template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  std::array<Tangent<G>, Order - 1> increments;
-  for (std::size_t j = 0; j < increments.size(); ++j)
-    increments[j] = increment<G>(control_points[j], control_points[j + 1]);
+  const auto increments = increments_between<G, Order>(control_points);
   return evaluate_increments<D>(
       control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
 }

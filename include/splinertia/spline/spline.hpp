@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/evaluate.hpp>
+#include <splinertia/spline/knots.hpp>
+#include <splinertia/spline/linearize.hpp>
 #include <splinertia/spline/uniform_knots.hpp>
 #include <stdexcept>
 #include <utility>
@@ -14,46 +16,66 @@
 
 namespace splinertia {
 
+/// A linearization of a Spline, with the index of the first of the Order control points that it is with respect to.
+template <LieGroup G, int Order, int D>
+struct LinearizationAt : Linearization<G, Order, D> {
+  std::size_t first;
+};
+
 /// A cumulative B-spline of order k = degree + 1 on a Lie group: Order − 2 times continuously differentiable, shaped
 /// locally by Order control points. The control points are not on the curve.
 ///
-///   Spline<SO3xR3<double>, 4> curve(UniformKnots{.start = 0.0, .interval = 0.1}, control_points);
+///   Spline<SO3xR3<double>, 4> curve({.start = 0.0, .interval = 0.1}, control_points);
 ///   auto m = curve.evaluate<2>(t);      // m.value, m.velocity, m.acceleration
+///
+/// Knots are uniform in double seconds unless said otherwise; NonUniformKnots may be where they like.
 ///
 /// The increments d_i = log(X_i⁻¹ X_{i+1}) are kept beside the control points, so that evaluation computes no logarithm
 /// and, like everything else here but the constructor, allocates nothing.
-template <LieGroup G, int Order, typename Knots = UniformKnots<double>>
+template <LieGroup G, int Order, Knots K = UniformKnots<double>>
 class Spline {
  public:
   using Group = G;
   using Scalar = ScalarOf<G>;
-  using Time = typename Knots::Time;
+  using Time = typename K::Time;
   static constexpr int order = Order;
 
   /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not
   /// finite.
-  Spline(const Knots& knots, std::vector<G> control_points)
-      : knots_(knots), control_points_(std::move(control_points)) {
-    knots_.check();
+  Spline(K knots, std::vector<G> control_points)
+      : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
       throw std::invalid_argument(message("Spline: ", control_points_.size(), " control points, expected at least ",
                                           Order, ", the order of the curve"));
     }
+    knots_.check(control_points_.size(), Order);
     increments_.resize(control_points_.size() - 1);
     for (std::size_t i = 0; i < increments_.size(); ++i) update_increment(i);
   }
 
   /// The closed interval on which the curve is defined.
-  [[nodiscard]] Time start() const { return knots_.start; }
-  [[nodiscard]] Time end() const { return knots_.end(segments()); }
+  [[nodiscard]] Time start() const { return knots_.domain(control_points_.size(), Order).start; }
+  [[nodiscard]] Time end() const { return knots_.domain(control_points_.size(), Order).end; }
 
   /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted).
+  /// Flattened, because a compiler that stops inlining half-way moves every intermediate value through memory.
   template <int D>
-  [[nodiscard]] Motion<G, D> evaluate(Time t) const {
-    const auto [first, basis] = knots_.template basis<Scalar, Order, D>(t, segments());
-    const Tangent<G>* d = increments_.data() + first;
-    return evaluate_increments<D>(
-        control_points_[first], [d](std::size_t j) -> const Tangent<G>& { return d[j]; }, basis);
+  [[gnu::flatten]] [[nodiscard]] Motion<G, D> evaluate(Time t) const {
+    const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
+    return evaluate_increments<D>(control_points_[place.first], increments_from(place.first), place.basis);
+  }
+
+  /// Value and first D derivatives at t with their Jacobians with respect to the Order control points from `first` on:
+  ///
+  ///   const auto at = curve.linearize<2>(t);    // .value, .value_jacobian[i], .velocity, .velocity_jacobian[i], …
+  ///
+  /// (linearize.hpp). Requires start() <= t <= end() (asserted).
+  template <int D>
+    requires LieGroupWithJacobians<G>
+  [[nodiscard]] LinearizationAt<G, Order, D> linearize(Time t) const {
+    const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
+    return {linearize_increments<D>(control_points_[place.first], increments_from(place.first), place.basis),
+            place.first};
   }
 
   /// As evaluate(); throws std::out_of_range unless start() <= t <= end().
@@ -66,7 +88,8 @@ class Spline {
     return evaluate<D>(t);
   }
 
-  [[nodiscard]] const Knots& knots() const { return knots_; }
+  [[nodiscard]] const K& knots() const { return knots_; }
+  /// Spans between knots of the domain, those of no length included.
   [[nodiscard]] std::size_t segments() const { return control_points_.size() - static_cast<std::size_t>(Order) + 1; }
   [[nodiscard]] const std::vector<G>& control_points() const { return control_points_; }
   /// increments()[i] leads from control point i to the next.
@@ -88,6 +111,11 @@ class Spline {
   }
 
  private:
+  /// d(j) of the Order control points from `first` on.
+  [[nodiscard]] auto increments_from(std::size_t first) const {
+    return [d = increments_.data() + first](std::size_t j) -> const Tangent<G>& { return d[j]; };
+  }
+
   void update_increment(std::size_t i) {
     const Tangent<G> d = increment<G>(control_points_[i], control_points_[i + 1]);
     if constexpr (std::floating_point<Scalar>) {
@@ -101,7 +129,7 @@ class Spline {
     increments_[i] = d;
   }
 
-  Knots knots_;
+  K knots_;
   std::vector<G> control_points_;
   std::vector<Tangent<G>> increments_;
 };

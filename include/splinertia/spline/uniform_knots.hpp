@@ -5,19 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/group/stumpff.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/basis.hpp>
+#include <splinertia/spline/knots.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 
 namespace splinertia {
-
-/// Where a time falls: the first of the Order control points that shape the curve there, and the basis.
-template <typename Scalar, int Order, int D>
-struct BasisAt {
-  std::size_t first;
-  CumulativeBasis<Scalar, Order, D> basis;
-};
 
 /// Equally spaced knots. n control points of order k give n − k + 1 segments from `start` on:
 ///
@@ -33,8 +28,8 @@ struct UniformKnots {
   Time start;     ///< where the curve begins, s for a floating-point Time
   Time interval;  ///< > 0
 
-  /// Throws std::invalid_argument unless start is finite and interval is positive and finite.
-  void check() const {
+  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, and Time reaches to the end.
+  void check(std::size_t control_points, int order) const {
     const auto number = printable(interval);
     if (!(number > 0) || !is_finite(interval)) {
       throw std::invalid_argument(message("UniformKnots: interval is ", number, ", expected a positive finite number"));
@@ -42,24 +37,36 @@ struct UniformKnots {
     if (!is_finite(start)) {
       throw std::invalid_argument(message("UniformKnots: start is ", printable(start), ", expected a finite number"));
     }
-  }
-
-  /// Where a curve of `segments` segments ends.
-  [[nodiscard]] Time end(std::size_t segments) const {
+    const std::size_t segments = control_points - static_cast<std::size_t>(order) + 1;
+    bool reached;
     if constexpr (std::floating_point<Time>) {
-      return start + static_cast<Time>(segments) * interval;
+      reached = is_finite(domain(control_points, order).end);
     } else {
-      return start + static_cast<typename Time::rep>(segments) * interval;
+      reached = segments <= static_cast<std::size_t>(Time::max() / interval) &&
+                start <= Time::max() - static_cast<typename Time::rep>(segments) * interval;
+    }
+    if (!reached) {
+      throw std::invalid_argument(message("UniformKnots: ", segments, " segments of ", number, " from ",
+                                          printable(start), " on end later than any time that there is"));
     }
   }
 
-  /// The basis at t. Requires start <= t <= end(segments).
+  [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
+    const std::size_t segments = control_points - static_cast<std::size_t>(order) + 1;
+    if constexpr (std::floating_point<Time>) {
+      return {start, start + static_cast<Time>(segments) * interval};
+    } else {
+      return {start, start + static_cast<typename Time::rep>(segments) * interval};
+    }
+  }
+
   template <typename Scalar, int Order, int D>
-  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t segments) const {
-    assert(t >= start && t <= end(segments));
-    const std::size_t last = segments - 1;
+  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
+    using Real = Constant<Scalar>;
+    assert(t >= start && t <= domain(control_points, Order).end);
+    const std::size_t last = control_points - static_cast<std::size_t>(Order);
     std::size_t s;
-    Scalar u;
+    Real u;
     if constexpr (std::floating_point<Time>) {
       // The quotient may round up to the next integer; the remainder, which fma gives exactly, tells.
       const Time elapsed = t - start;
@@ -70,28 +77,19 @@ struct UniformKnots {
         --s;
         remainder = std::fma(-static_cast<Time>(s), interval, elapsed);
       }
-      if constexpr (std::numeric_limits<Scalar>::digits > std::numeric_limits<Time>::digits) {
-        u = Scalar(remainder) / Scalar(interval);
+      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
+        u = Real(remainder) / Real(interval);
       } else {
-        u = static_cast<Scalar>(remainder / interval);
+        u = static_cast<Real>(remainder / interval);
       }
     } else {
       const auto elapsed = (t - start).count();
       s = static_cast<std::size_t>(elapsed / interval.count());
       if (s > last) s = last;
       const auto remainder = elapsed - static_cast<typename Time::rep>(s) * interval.count();
-      u = static_cast<Scalar>(remainder) / static_cast<Scalar>(interval.count());
+      u = static_cast<Real>(remainder) / static_cast<Real>(interval.count());
     }
-    return {s, uniform_basis<Order, D, Scalar>(u, seconds<Scalar>(interval))};
-  }
-
- private:
-  static bool is_finite(Time t) {
-    if constexpr (std::floating_point<Time>) {
-      return std::isfinite(t);
-    } else {
-      return true;
-    }
+    return {s, uniform_basis<Order, D, Real, Scalar>(u, seconds<Real>(interval))};
   }
 };
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+/// Group elements as plain numbers in memory: the parameter blocks of an optimiser, rows of a file, arrays of another
+/// library. The numbers of an element are those that Sophus keeps, in its order:
+///
+///   SO3  x y z w of the unit quaternion        SE3  x y z w, then the translation
+///   SO2  cos θ, sin θ                          SE2  cos θ, sin θ, then the translation
+///   Rⁿ   its components                        Product<G...>  those of the factors, one after the other
+///
+/// so that `.data()` of a Sophus object is such a block. Sophus' types may ask for aligned memory; these numbers may be
+/// anywhere.
+#pragma once
+
+#include <splinertia/group/pose.hpp>
+
+namespace splinertia {
+
+/// Specialise for a group G with d = Dof whose elements are kept as n numbers:
+///
+///   static constexpr int size                                  n
+///   static G read(const Scalar* numbers)                       the element of n numbers, taken as they are
+///   static void write(const G& x, Scalar* numbers)
+///   static Matrix<n, d> tangent_to_parameters(const G& x)      J = d write(x exp(δ))/dδ at δ = 0
+///   static Matrix<d, n> parameters_to_tangent(const G& x)      d log(x⁻¹ y)/d write(y) at y = x, a left inverse of J
+template <typename G>
+struct ParameterLayout;
+
+/// How many numbers an element of G is kept in.
+template <LieGroup G>
+inline constexpr int parameter_count = ParameterLayout<G>::size;
+
+/// The element of G that the numbers at `numbers` are. Nothing is normalised.
+template <LieGroup G>
+[[nodiscard]] inline G read_parameters(const ScalarOf<G>* numbers) {
+  return ParameterLayout<G>::read(numbers);
+}
+
+/// Writes parameter_count<G> numbers.
+template <LieGroup G>
+inline void write_parameters(const G& x, ScalarOf<G>* numbers) {
+  ParameterLayout<G>::write(x, numbers);
+}
+
+template <LieGroup G>
+using TangentToParameters = Eigen::Matrix<ScalarOf<G>, parameter_count<G>, DofOf<G>>;
+template <LieGroup G>
+using ParametersToTangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, parameter_count<G>>;
+
+template <typename Scalar, int N>
+struct ParameterLayout<Eigen::Matrix<Scalar, N, 1>> {
+  using G = Eigen::Matrix<Scalar, N, 1>;
+  static constexpr int size = N;
+
+  static G read(const Scalar* numbers) { return Eigen::Map<const G>(numbers); }
+  static void write(const G& x, Scalar* numbers) { Eigen::Map<G>{numbers} = x; }
+  static Eigen::Matrix<Scalar, N, N> tangent_to_parameters(const G&) { return Eigen::Matrix<Scalar, N, N>::Identity(); }
+  static Eigen::Matrix<Scalar, N, N> parameters_to_tangent(const G&) { return Eigen::Matrix<Scalar, N, N>::Identity(); }
+};
+
+template <typename Scalar>
+struct ParameterLayout<Sophus::SO2<Scalar>> {
+  using G = Sophus::SO2<Scalar>;
+  static constexpr int size = 2;
+
+  static G read(const Scalar* numbers) { return rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
+  static void write(const G& x, Scalar* numbers) { Eigen::Map<Vector2<Scalar>>{numbers} = x.unit_complex(); }
+  /// i z
+  static Vector2<Scalar> tangent_to_parameters(const G& x) { return quarter_turn<Scalar>(x.unit_complex()); }
+  static Eigen::Matrix<Scalar, 1, 2> parameters_to_tangent(const G& x) { return tangent_to_parameters(x).transpose(); }
+};
+
+template <typename Scalar>
+struct ParameterLayout<Sophus::SO3<Scalar>> {
+  using G = Sophus::SO3<Scalar>;
+  static constexpr int size = 4;
+
+  static G read(const Scalar* numbers) {
+    G x;
+    for (int i = 0; i < size; ++i) x.data()[i] = numbers[i];
+    return x;
+  }
+  static void write(const G& x, Scalar* numbers) {
+    for (int i = 0; i < size; ++i) numbers[i] = x.data()[i];
+  }
+  /// q (δ/2, 0) = ((w δ + v × δ)/2, −v·δ/2) for q = (v, w).
+  static Eigen::Matrix<Scalar, 4, 3> tangent_to_parameters(const G& x) {
+    const auto& q = x.unit_quaternion();
+    const Scalar half(Constant<Scalar>(1) / Constant<Scalar>(2));
+    Eigen::Matrix<Scalar, 4, 3> J;
+    J.template topRows<3>() = half * (hat<Scalar>(q.vec()) + q.w() * Matrix3<Scalar>::Identity());
+    J.template bottomRows<1>() = -half * q.vec().transpose();
+    return J;
+  }
+  /// 4 Jᵀ, because Jᵀ J = I/4: the vector part of 2 q⁻¹ dq.
+  static Eigen::Matrix<Scalar, 3, 4> parameters_to_tangent(const G& x) {
+    return Scalar(4) * tangent_to_parameters(x).transpose();
+  }
+};
+
+template <typename Scalar>
+struct ParameterLayout<Sophus::SE2<Scalar>> {
+  using G = Sophus::SE2<Scalar>;
+  using Rotation = ParameterLayout<Sophus::SO2<Scalar>>;
+  static constexpr int size = 4;
+
+  static G read(const Scalar* numbers) {
+    G x;
+    x.so2() = Rotation::read(numbers);
+    x.translation() = Eigen::Map<const Vector2<Scalar>>(numbers + 2);
+    return x;
+  }
+  static void write(const G& x, Scalar* numbers) {
+    Rotation::write(x.so2(), numbers);
+    Eigen::Map<Vector2<Scalar>>{numbers + 2} = x.translation();
+  }
+  static Eigen::Matrix<Scalar, 4, 3> tangent_to_parameters(const G& x) {
+    Eigen::Matrix<Scalar, 4, 3> J = Eigen::Matrix<Scalar, 4, 3>::Zero();
+    J.template block<2, 1>(0, 2) = Rotation::tangent_to_parameters(x.so2());
+    J.template block<2, 2>(2, 0) << x.unit_complex(), quarter_turn<Scalar>(x.unit_complex());
+    return J;
+  }
+  static Eigen::Matrix<Scalar, 3, 4> parameters_to_tangent(const G& x) {
+    return tangent_to_parameters(x).transpose();  // the columns of J are orthonormal
+  }
+};
+
+template <typename Scalar>
+struct ParameterLayout<Sophus::SE3<Scalar>> {
+  using G = Sophus::SE3<Scalar>;
+  using Rotation = ParameterLayout<Sophus::SO3<Scalar>>;
+  static constexpr int size = 7;
+
+  static G read(const Scalar* numbers) {
+    G x;
+    x.so3() = Rotation::read(numbers);
+    x.translation() = Eigen::Map<const Vector3<Scalar>>(numbers + 4);
+    return x;
+  }
+  static void write(const G& x, Scalar* numbers) {
+    Rotation::write(x.so3(), numbers);
+    Eigen::Map<Vector3<Scalar>>{numbers + 4} = x.translation();
+  }
+  /// The translation of x exp([ρ; φ]) is t + Rρ to first order.
+  static Eigen::Matrix<Scalar, 7, 6> tangent_to_parameters(const G& x) {
+    Eigen::Matrix<Scalar, 7, 6> J = Eigen::Matrix<Scalar, 7, 6>::Zero();
+    J.template block<4, 3>(0, 3) = Rotation::tangent_to_parameters(x.so3());
+    J.template block<3, 3>(4, 0) = rotation_matrix_transposed<Scalar>(x.unit_quaternion()).transpose();
+    return J;
+  }
+  static Eigen::Matrix<Scalar, 6, 7> parameters_to_tangent(const G& x) {
+    Eigen::Matrix<Scalar, 6, 7> J = Eigen::Matrix<Scalar, 6, 7>::Zero();
+    J.template block<3, 4>(3, 0) = Rotation::parameters_to_tangent(x.so3());
+    J.template block<3, 3>(0, 4) = rotation_matrix_transposed<Scalar>(x.unit_quaternion());
+    return J;
+  }
+};
+
+template <LieGroup... F>
+struct ParameterLayout<Product<F...>> {
+  using G = Product<F...>;
+  using Scalar = ScalarOf<G>;
+  static constexpr int size = (parameter_count<F> + ...);
+
+  static G read(const Scalar* numbers) {
+    G x;
+    for_each_factor(
+        [&]<std::size_t I, typename Factor>(int row) { x.template get<I>() = read_parameters<Factor>(numbers + row); });
+    return x;
+  }
+  static void write(const G& x, Scalar* numbers) {
+    for_each_factor(
+        [&]<std::size_t I, typename Factor>(int row) { write_parameters<Factor>(x.template get<I>(), numbers + row); });
+  }
+  static Eigen::Matrix<Scalar, size, DofOf<G>> tangent_to_parameters(const G& x) {
+    Eigen::Matrix<Scalar, size, DofOf<G>> J = Eigen::Matrix<Scalar, size, DofOf<G>>::Zero();
+    for_each_factor([&]<std::size_t I, typename Factor>(int row) {
+      J.template block<parameter_count<Factor>, DofOf<Factor>>(row, G::template offset<I>) =
+          ParameterLayout<Factor>::tangent_to_parameters(x.template get<I>());
+    });
+    return J;
+  }
+  static Eigen::Matrix<Scalar, DofOf<G>, size> parameters_to_tangent(const G& x) {
+    Eigen::Matrix<Scalar, DofOf<G>, size> J = Eigen::Matrix<Scalar, DofOf<G>, size>::Zero();
+    for_each_factor([&]<std::size_t I, typename Factor>(int row) {
+      J.template block<DofOf<Factor>, parameter_count<Factor>>(G::template offset<I>, row) =
+          ParameterLayout<Factor>::parameters_to_tangent(x.template get<I>());
+    });
+    return J;
+  }
+
+ private:
+  // f<I, Factor>(row), row being where the numbers of the factor begin.
+  static void for_each_factor(const auto& f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      int row = 0;
+      ((f.template operator()<I, F>(row), row += parameter_count<F>), ...);
+    }(std::index_sequence_for<F...>{});
+  }
+};
+
+}  // namespace splinertia

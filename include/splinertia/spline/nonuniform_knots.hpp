@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <splinertia/message.hpp>
+#include <splinertia/spline/knots.hpp>
+#include <splinertia/spline/nonuniform_basis.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Knots τ_0 ≤ τ_1 ≤ … at any times: n control points of order k need n + k of them. The curve is defined on
+/// [τ_{k−1}, τ_n], and shaped by X_{i−k+1} … X_i on the span [τ_i, τ_{i+1}]:
+///
+///   control points          X_0  X_1  X_2  X_3  X_4  X_5               order 4
+///   knots         τ_0  τ_1  τ_2  τ_3  τ_4  τ_5  τ_6  τ_7  τ_8  τ_9
+///   domain                       |----|----|----|
+///
+/// Knots may coincide. Where m of them do inside the domain, the curve is k − 1 − m times continuously differentiable:
+/// at m = k − 1 it is continuous, has a corner, and passes through a control point; m = k would tear it and is refused.
+/// At the ends of the domain there is nothing to tear: k knots there make the curve begin (end) at the first (last)
+/// control point. The first and the last knot of all shape nothing; they are there by custom (De Boor 1978).
+///
+///   Spline<SO3xR3<double>, 4, NonUniformKnots<double>> curve({.knots = {0, 0, 0, 0, 0.1, 0.5, 2, 2, 2, 2}}, points);
+template <TimePoint T = double>
+struct NonUniformKnots {
+  using Time = T;
+
+  std::vector<Time> knots;  ///< ascending, s for a floating-point Time
+
+  /// Throws std::invalid_argument unless these are control_points + order finite numbers in ascending order, the domain
+  /// is not empty, and no knot inside it is there `order` times.
+  void check(std::size_t control_points, int order) const {
+    const auto k = static_cast<std::size_t>(order);
+    if (knots.size() != control_points + k) {
+      throw std::invalid_argument(message("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k,
+                                          ": ", control_points, " control points and the order, ", order));
+    }
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      if (!is_finite(knots[i])) {
+        throw std::invalid_argument(
+            message("NonUniformKnots: knot ", i, " is ", printable(knots[i]), ", expected a finite number"));
+      }
+      if (i > 0 && knots[i] < knots[i - 1]) {
+        throw std::invalid_argument(message("NonUniformKnots: knot ", i, " is ", printable(knots[i]),
+                                            ", expected at least ", printable(knots[i - 1]), ", the knot before it"));
+      }
+    }
+    const auto [start, end] = domain(control_points, order);
+    if (!(start < end)) {
+      throw std::invalid_argument(message("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
+                                          printable(start), ", expected a curve to be between them"));
+    }
+    for (std::size_t i = k; i + k - 1 < control_points; ++i) {
+      if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
+        throw std::invalid_argument(message("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
+                                            k > 2 ? " are all " : " are both ", printable(knots[i]),
+                                            ", which would tear the curve; expected at most ", k - 1,
+                                            " inside its domain, the order less one"));
+      }
+    }
+  }
+
+  /// From knot order − 1 to the one that has as many behind it.
+  [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
+    return {knots[static_cast<std::size_t>(order) - 1], knots[control_points]};
+  }
+
+  /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
+  template <typename Scalar, int Order, int D>
+  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
+    constexpr std::size_t k = Order;
+    assert(knots.size() == control_points + k);
+    const Time* const begin = knots.data() + k;
+    const Time* const end = knots.data() + control_points;
+    assert(t >= begin[-1] && t <= *end);
+    // The first knot behind t; at the end, where there is none, the first that is there.
+    const Time* const next = t < *end ? std::upper_bound(begin, end, t) : std::lower_bound(begin, end, *end);
+    const std::span<const Time, 2 * k - 2> around(next - (k - 1), 2 * k - 2);
+    return {static_cast<std::size_t>(next - begin), nonuniform_basis<Order, D, Scalar>(around, t)};
+  }
+};
+
+template <typename T>
+NonUniformKnots(std::vector<T>) -> NonUniformKnots<T>;
+
+}  // namespace splinertia

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+/// Curves straight from the parameter blocks of an optimiser (`double const* const*` of Ceres, pointers into any
+/// storage of yours): no Spline object, no second copy of the control points.
+///
+///   // T_0 … T_3 as 7 numbers each, anywhere in memory
+///   const double* blocks[4] = {…};
+///   auto m = evaluate<2, Sophus::SE3d>(blocks, basis);    // as evaluate(std::span, basis)
+///   auto l = linearize<2, Sophus::SE3d>(blocks, basis);   // Jacobians by right perturbations, Dof × Dof
+///
+/// A block holds the numbers of group/parameters.hpp and needs no alignment beyond that of a Scalar. The factors of a
+/// product have blocks of their own, first all Order blocks of the first factor, then those of the next:
+///
+///   SO3xR3, order 4:   R_0 R_1 R_2 R_3 p_0 p_1 p_2 p_3
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <splinertia/group/parameters.hpp>
+#include <splinertia/spline/evaluate.hpp>
+#include <splinertia/spline/linearize.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace splinertia {
+
+/// The parts of a control point of type G that have blocks of their own: the factors of a product, else G itself.
+template <typename G>
+struct ControlPointParts {
+  static constexpr std::size_t count = 1;
+  template <std::size_t>
+  static constexpr int offset = 0;  // where the tangent of a part begins in that of G
+  template <std::size_t>
+  static auto& part(auto& x) {
+    return x;
+  }
+};
+template <typename... F>
+struct ControlPointParts<Product<F...>> {
+  static constexpr std::size_t count = sizeof...(F);
+  template <std::size_t I>
+  static constexpr int offset = Product<F...>::template offset<I>;
+  template <std::size_t I>
+  static auto& part(auto& x) {
+    return x.template get<I>();
+  }
+};
+
+/// f<I>() for each part I of G.
+template <LieGroup G>
+inline void for_each_part(const auto& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (f.template operator()<I>(), ...);
+  }(std::make_index_sequence<ControlPointParts<G>::count>{});
+}
+
+/// The Order control points in `blocks`, of which there are Order for each part of G.
+template <LieGroup G, int Order>
+[[nodiscard]] inline std::array<G, static_cast<std::size_t>(Order)> read_control_points(
+    const ScalarOf<G>* const* blocks) {
+  std::array<G, static_cast<std::size_t>(Order)> points;
+  for_each_part<G>([&]<std::size_t I>() {
+    for (G& x : points) {
+      auto& part = ControlPointParts<G>::template part<I>(x);
+      part = read_parameters<std::remove_cvref_t<decltype(part)>>(*blocks++);
+    }
+  });
+  return points;
+}
+
+/// evaluate() of the control points in `blocks`. The order is that of the basis.
+template <int D, LieGroup G, int Order>
+[[nodiscard]] inline Motion<G, D> evaluate(const ScalarOf<G>* const* blocks,
+                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  const auto points = read_control_points<G, Order>(blocks);
+  return evaluate<D, G, Order>(std::span<const G, static_cast<std::size_t>(Order)>(points), basis);
+}
+
+/// linearize() of the control points in `blocks`. The Jacobians are by tangents of the control points: chain them with
+/// ParameterLayout<G>::parameters_to_tangent for an optimiser that wants them by the numbers in the blocks.
+template <int D, LieGroupWithJacobians G, int Order>
+[[nodiscard]] inline Linearization<G, Order, D> linearize(const ScalarOf<G>* const* blocks,
+                                                          const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  const auto points = read_control_points<G, Order>(blocks);
+  return linearize<D, G, Order>(std::span<const G, static_cast<std::size_t>(Order)>(points), basis);
+}
+
+}  // namespace splinertia
