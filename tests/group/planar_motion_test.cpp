@@ -22,7 +22,10 @@ TEMPLATE_TEST_CASE("a planar motion is a rigid motion in the plane", "[group]", 
       const Vector3<Scalar> rho3(rho.x(), rho.y(), 0), phi3(0, 0, theta);
       INFO("angle " << theta);
       const auto exp = planar_motion_exp<Scalar>(rho, theta);
-      CHECK((exp - rigid_motion_exp<Scalar>(rho3, phi3).translation.template head<2>()).norm() <= tolerance);
+      CHECK((exp.translation - rigid_motion_exp<Scalar>(rho3, phi3).translation.template head<2>()).norm() <=
+            tolerance);
+      CHECK(std::abs(exp.cosine - std::cos(theta)) <= tolerance / 2);
+      CHECK(std::abs(exp.sine - std::sin(theta)) <= tolerance / 2 * std::abs(theta));
       CHECK((planar_motion_log<Scalar>(rho, theta) - rigid_motion_log<Scalar>(rho3, phi3).template head<2>()).norm() <=
             tolerance);
       // J_l of SE(3), rows and columns of x, y and the rotation about z.
@@ -43,7 +46,7 @@ TEMPLATE_TEST_CASE("a planar motion is a rigid motion in the plane", "[group]", 
 }
 
 TEST_CASE("half a turn along a half circle", "[group]") {
-  const auto t = planar_motion_exp<double>({1, 0}, std::numbers::pi);
+  const auto t = planar_motion_exp<double>({1, 0}, std::numbers::pi).translation;
   CHECK(t.isApprox(Eigen::Vector2d(0, 2 / std::numbers::pi), 1e-15));
   CHECK(quarter_turn<double>({1, 2}) == Eigen::Vector2d(-2, 1));
 }

@@ -117,7 +117,8 @@ struct GroupTraits<Sophus::SE2<Real>> {
     return make(R_inverse, -turn(R_inverse, x.translation()));
   }
   static G exp(const Vector& tau) {
-    return make(SO2::exp(tau.template tail<1>()), planar_motion_exp<Real>(tau.template head<2>(), tau[2]));
+    const auto x = planar_motion_exp<Real>(tau.template head<2>(), tau[2]);
+    return make(rotation_from_unit_complex<Real>(x.cosine, x.sine), x.translation);
   }
   static Vector log(const G& x) { return logarithm(x.translation(), SO2::log(x.so2())[0]); }
   /// Ad_x [ρ; θ] = [Rρ − θ i t; θ]
@@ -237,9 +238,13 @@ struct GroupTraits<Sophus::SE3<Real>> {
     x.translation() = t;
     return x;
   }
+  // Number by number: g++ 12 warns of array bounds that packets of a 3-vector would cross, but do not.
   static Vector join(const Vector3<Real>& rho, const Vector3<Real>& phi) {
     Vector tau;
-    tau << rho, phi;
+    for (int i = 0; i < 3; ++i) {
+      tau[i] = rho[i];
+      tau[i + 3] = phi[i];
+    }
     return tau;
   }
   static Vector logarithm(const Vector3<Real>& t, const Vector3<Real>& phi) {
