@@ -289,3 +289,32 @@ TEST_CASE("A spline linearizes with respect to the control points that shape it"
     }
   }
 }
+
+TEST_CASE("A control point that has drifted is brought back, one that is none is refused") {
+  testing::Random random(9);
+  const auto exact = random.walk<Sophus::SE3d>(6);
+  const auto stretched = [](Sophus::SE3d x, double factor) {
+    for (int i = 0; i < 4; ++i) x.data()[i] *= factor;
+    return x;
+  };
+  using RigidCurve = Spline<Sophus::SE3d, 4>;
+  const RigidCurve reference({.start = 0, .interval = 1}, exact);
+  auto drifted = exact;
+  drifted[2] = stretched(exact[2], 1 + 1e-6);
+  RigidCurve curve({.start = 0, .interval = 1}, drifted);
+  const auto got = curve.evaluate<2>(1.5), expected = reference.evaluate<2>(1.5);
+  CHECK(std::abs(got.value.unit_quaternion().norm() - 1) < 1e-15);
+  CHECK((got.value.translation() - expected.value.translation()).norm() < 1e-14);
+  CHECK((got.acceleration - expected.acceleration).norm() < 1e-13);
+
+  curve.set_control_point(3, stretched(exact[3], 1 - 1e-4));
+  CHECK(std::abs(curve.control_points()[3].unit_quaternion().norm() - 1) < 1e-15);
+  CHECK(curve.control_points()[1].unit_quaternion().coeffs() ==
+        exact[1].unit_quaternion().coeffs());  // taken as it was
+
+  CHECK_THROWS_WITH(
+      curve.set_control_point(3, stretched(exact[3], 2)),
+      "Spline: control point 3 is off its group by 1, expected at most 0.001 (the norm of a rotation is 1)");
+  drifted[4] = stretched(exact[4], 0);
+  CHECK_THROWS_AS(RigidCurve({.start = 0, .interval = 1}, drifted), std::invalid_argument);
+}

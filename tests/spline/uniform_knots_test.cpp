@@ -63,3 +63,13 @@ TEST_CASE("Knots that are none are refused with the value") {
   CHECK_THROWS_AS((UniformKnots{50 * year, year}.check(292, 2)), std::invalid_argument);
   CHECK_NOTHROW(UniformKnots{-50 * year, year}.check(292, 2));
 }
+
+TEST_CASE("Knots closer than time can tell apart are refused") {
+  CHECK_THROWS_WITH(
+      (UniformKnots<double>{1.4e9, 1e-9}.check(10, 4)),
+      "UniformKnots: interval is 1e-09 s, but times of 1.4e+09 s are told apart by 3.1086244689504383e-07 s "
+      "only; expected a longer interval, or time as integers");
+  CHECK_NOTHROW(UniformKnots<double>{1.4e9, 1e-3}.check(10, 4));
+  CHECK_NOTHROW(UniformKnots<double>{0, 1e-300}.check(10, 4));
+  CHECK_NOTHROW(UniformKnots<nanoseconds>{nanoseconds{1'400'000'000'000'000'000}, nanoseconds{1}}.check(10, 4));
+}

@@ -31,6 +31,11 @@ namespace splinertia {
 ///   static Tangent increment(const G& x, const G& y)                 log(x⁻¹ y), accurate for close x and y
 ///   static Tangent adjoint_inverse(const G& x, const Tangent& tau)   Ad_{x⁻¹} τ
 ///
+/// where its elements are kept in more numbers than Dof, so that they can drift away from the group,
+///
+///   static Scalar drift(const G& x)          how far x is from the group, e.g. ||q| − 1|
+///   static G normalized(const G& x)          the element of the group next to x
+///
 /// and, for whoever asks for Jacobians (Dof × Dof),
 ///
 ///   static Jacobian left_jacobian(const Tangent& tau)                J_l(τ)

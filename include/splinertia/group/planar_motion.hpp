@@ -24,13 +24,13 @@ struct PlanarMotionExp {
   Vector2<Scalar> translation;
 };
 
-/// exp([ρ; θ]): the rotation (1 − θ²c₂, θc₁) = (cos θ, sin θ) and the translation c₁ρ + θc₂ iρ, all from one set of
-/// coefficients, at a third of what sine and cosine cost. Solà et al. (156), (158). Error of cosine and sine: 4 eps.
+/// exp([ρ; θ]): the rotation (c₀, θc₁) = (cos θ, sin θ) and the translation c₁ρ + θc₂ iρ, all from one set of
+/// coefficients, at a third of what sine and cosine cost. Solà et al. (156), (158). Error of cosine and sine: 2 eps.
 template <typename Scalar>
 [[nodiscard]] inline PlanarMotionExp<Scalar> planar_motion_exp(const Vector2<Scalar>& rho, const Scalar& theta) {
   const auto c = stumpff<3>(Scalar(theta * theta)).full;
   const Scalar s = theta * c[2];
-  return {Scalar(1) - theta * s, theta * c[1], {c[1] * rho.x() - s * rho.y(), c[1] * rho.y() + s * rho.x()}};
+  return {c[0], theta * c[1], {c[1] * rho.x() - s * rho.y(), c[1] * rho.y() + s * rho.x()}};
 }
 
 /// The ρ of log for the translation t and the angle θ: (1 − Eθ²) t − (θ/2) it, the inverse of the above, |θ| < 2π.

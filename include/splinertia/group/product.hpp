@@ -2,6 +2,7 @@
 /// The direct product of Lie groups: everything works factor by factor.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <splinertia/group/lie_group.hpp>
@@ -88,6 +89,25 @@ struct GroupTraits<Product<G...>> {
   static Vector increment(const P& x, const P& y) {
     return tangents([&]<std::size_t I, typename F>() {
       return splinertia::increment<F>(x.template get<I>(), y.template get<I>());
+    });
+  }
+  static Scalar drift(const P& x) {
+    Scalar worst(0);
+    factors([&]<std::size_t I, typename F>() {
+      if constexpr (requires { GroupTraits<F>::drift(x.template get<I>()); }) {
+        worst = std::max(worst, GroupTraits<F>::drift(x.template get<I>()));
+      }
+      return x.template get<I>();
+    });
+    return worst;
+  }
+  static P normalized(const P& x) {
+    return factors([&]<std::size_t I, typename F>() {
+      if constexpr (requires { GroupTraits<F>::normalized(x.template get<I>()); }) {
+        return GroupTraits<F>::normalized(x.template get<I>());
+      } else {
+        return x.template get<I>();
+      }
     });
   }
   static Square left_jacobian(const Vector& tau)

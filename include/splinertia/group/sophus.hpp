@@ -33,6 +33,14 @@ template <typename Scalar>
   return R;
 }
 
+/// ||v| − 1|, how far the numbers of a rotation have drifted.
+template <typename Vector>
+[[nodiscard]] inline auto distance_from_one(const Vector& v) {
+  using std::abs;
+  using Scalar = typename Vector::Scalar;
+  return Scalar(abs(v.norm() - Scalar(1)));
+}
+
 template <typename Real>
 struct GroupTraits<Sophus::SO2<Real>> {
   using Scalar = Real;
@@ -65,6 +73,11 @@ struct GroupTraits<Sophus::SO2<Real>> {
     const Vector2<Real> d = y.unit_complex() - a;
     return Vector{Real(atan2(a.x() * d.y() - a.y() * d.x(), a.dot(y.unit_complex())))};
   }
+  static Real drift(const G& x) { return distance_from_one(x.unit_complex()); }
+  static G normalized(const G& x) {
+    const Vector2<Real> z = x.unit_complex().normalized();
+    return rotation_from_unit_complex<Real>(z.x(), z.y());
+  }
   static Vector left_jacobian(const Vector&) { return Vector::Ones(); }
   static Vector left_jacobian_inverse(const Vector&) { return Vector::Ones(); }
 };
@@ -91,6 +104,8 @@ struct GroupTraits<Sophus::SO3<Real>> {
   static Vector increment(const G& x, const G& y) {
     return rotation_increment<Real>(x.unit_quaternion(), y.unit_quaternion());
   }
+  static Real drift(const G& x) { return distance_from_one(x.unit_quaternion().coeffs()); }
+  static G normalized(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().normalized()); }
   static Matrix3<Real> left_jacobian(const Vector& tau) { return rotation_left_jacobian<Real>(tau); }
   static Matrix3<Real> left_jacobian_inverse(const Vector& tau) { return rotation_left_jacobian_inverse<Real>(tau); }
   static Matrix3<Real> adjoint_inverse_operator(const G& x) {
@@ -141,6 +156,8 @@ struct GroupTraits<Sophus::SE2<Real>> {
     return logarithm(turn(SO2::inverse(x.so2()), y.translation() - x.translation()),
                      SO2::increment(x.so2(), y.so2())[0]);
   }
+  static Real drift(const G& x) { return SO2::drift(x.so2()); }
+  static G normalized(const G& x) { return make(SO2::normalized(x.so2()), x.translation()); }
   static Matrix3<Real> left_jacobian(const Vector& tau) {
     return planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
   }
@@ -211,6 +228,8 @@ struct GroupTraits<Sophus::SE3<Real>> {
     return logarithm(rotate_inverse<Real>(q, y.translation() - x.translation()),
                      rotation_increment<Real>(q, y.unit_quaternion()));
   }
+  static Real drift(const G& x) { return distance_from_one(x.unit_quaternion().coeffs()); }
+  static G normalized(const G& x) { return make(x.unit_quaternion().normalized(), x.translation()); }
   static Operator left_jacobian(const Vector& tau) {
     return rigid_motion_left_jacobian<Real>(tau.template head<3>(), tau.template tail<3>());
   }

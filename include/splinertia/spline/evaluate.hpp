@@ -26,8 +26,8 @@ struct NoObserver {
 
 /// The curve from its first control point and its increments; d(j) returns d_{j+1}, j = 0 … Order − 2.
 /// Linear in the order; calls exp once for each increment (once in all on a commutative group) and no logarithm.
-/// On a group that is not commutative, observe(j, P, m) is told, for j = Order − 2 … 0, what the factors from j on make:
-/// P = A_{j+1} … A_{k−1}, and their velocity and acceleration in m.
+/// On a group that is not commutative, observe(j, P, m) is told, for j = Order − 2 … 0, what the factors from j on
+/// make: P = A_{j+1} … A_{k−1}, and their velocity and acceleration in m.
 template <int D, LieGroup G, int Order, typename Observer = NoObserver>
 [[nodiscard]] inline Motion<G, D> evaluate_increments(const G& first, const auto& d,
                                                       const CumulativeBasis<ScalarOf<G>, Order, D>& basis,

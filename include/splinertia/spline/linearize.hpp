@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <splinertia/flatten.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -118,8 +119,8 @@ template <LieGroup G>
 /// those with respect to the control points: d_j grows by J_r⁻¹(d_j) δ with X_j and shrinks by J_l⁻¹(d_j) δ with
 /// X_{j−1}, where J_r⁻¹(d) = J_l⁻¹(d) + ad_d. Sommer et al., CVPR 2020, section 5, for any group.
 template <int D, LieGroupWithJacobians G, int Order>
-[[gnu::flatten]] [[nodiscard]] inline Linearization<G, Order, D> linearize_increments(
-    const G& first, const auto& d, const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+[[nodiscard]] inline Linearization<G, Order, D> linearize_pass(const G& first, const auto& d,
+                                                               const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   using Traits = GroupTraits<G>;
   using Scalar = ScalarOf<G>;
   constexpr std::size_t factors = Order - 1;
@@ -185,6 +186,13 @@ template <int D, LieGroupWithJacobians G, int Order>
     for_each_derivative<D>([&](auto& jacobians) { jacobians[factors] = through_last[derivative++]; }, result);
   }
   return result;
+}
+
+/// linearize_pass, flattened.
+template <int D, LieGroupWithJacobians G, int Order>
+[[nodiscard]] inline Linearization<G, Order, D> linearize_increments(
+    const G& first, const auto& d, const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  return flattened<ScalarOf<G>>([&] { return linearize_pass<D>(first, d, basis); });
 }
 
 /// On a product, factor by factor: the Jacobians are block-diagonal.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
+#include <splinertia/flatten.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/evaluate.hpp>
 #include <splinertia/spline/knots.hpp>
@@ -40,8 +42,8 @@ class Spline {
   using Time = typename K::Time;
   static constexpr int order = Order;
 
-  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not
-  /// finite.
+  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not finite
+  /// or off its group by more than 0.001. One that has drifted by more than rounding, but less, is normalised.
   Spline(K knots, std::vector<G> control_points)
       : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
@@ -49,6 +51,7 @@ class Spline {
                                           Order, ", the order of the curve"));
     }
     knots_.check(control_points_.size(), Order);
+    for (std::size_t i = 0; i < control_points_.size(); ++i) control_points_[i] = on_group(control_points_[i], i);
     increments_.resize(control_points_.size() - 1);
     for (std::size_t i = 0; i < increments_.size(); ++i) update_increment(i);
   }
@@ -58,11 +61,12 @@ class Spline {
   [[nodiscard]] Time end() const { return knots_.domain(control_points_.size(), Order).end; }
 
   /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted).
-  /// Flattened, because a compiler that stops inlining half-way moves every intermediate value through memory.
   template <int D>
-  [[gnu::flatten]] [[nodiscard]] Motion<G, D> evaluate(Time t) const {
-    const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
-    return evaluate_increments<D>(control_points_[place.first], increments_from(place.first), place.basis);
+  [[nodiscard]] Motion<G, D> evaluate(Time t) const {
+    return flattened<Scalar>([&] {
+      const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
+      return evaluate_increments<D>(control_points_[place.first], increments_from(place.first), place.basis);
+    });
   }
 
   /// Value and first D derivatives at t with their Jacobians with respect to the Order control points from `first` on:
@@ -96,10 +100,11 @@ class Spline {
   [[nodiscard]] const std::vector<Tangent<G>>& increments() const { return increments_; }
 
   /// Moves control point i and renews the two increments that it touches. Requires i < control_points().size().
-  /// Throws std::invalid_argument where x is not finite.
+  /// Throws std::invalid_argument as the
+  /// constructor does, and leaves the curve as it was.
   void set_control_point(std::size_t i, const G& x) {
     assert(i < control_points_.size());
-    const G old = std::exchange(control_points_[i], x);
+    const G old = std::exchange(control_points_[i], on_group(x, i));
     try {
       if (i > 0) update_increment(i - 1);
       if (i < increments_.size()) update_increment(i);
@@ -114,6 +119,23 @@ class Spline {
   /// d(j) of the Order control points from `first` on.
   [[nodiscard]] auto increments_from(std::size_t first) const {
     return [d = increments_.data() + first](std::size_t j) -> const Tangent<G>& { return d[j]; };
+  }
+
+  /// x as it is where it is on the group to rounding; else, where it has drifted, the element next to it.
+  [[nodiscard]] static G on_group(const G& x, [[maybe_unused]] std::size_t i) {
+    if constexpr (std::floating_point<Scalar> && requires { GroupTraits<G>::normalized(x); }) {
+      constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
+      constexpr Scalar tolerance = Scalar(1) / Scalar(1000);
+      const Scalar drift = GroupTraits<G>::drift(x);
+      if (drift <= rounding) return x;
+      if (!(drift <= tolerance)) {
+        throw std::invalid_argument(message("Spline: control point ", i, " is off its group by ", drift,
+                                            ", expected at most ", tolerance, " (the norm of a rotation is 1)"));
+      }
+      return GroupTraits<G>::normalized(x);
+    } else {
+      return x;
+    }
   }
 
   void update_increment(std::size_t i) {

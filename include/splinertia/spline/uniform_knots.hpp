@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -28,7 +29,8 @@ struct UniformKnots {
   Time start;     ///< where the curve begins, s for a floating-point Time
   Time interval;  ///< > 0
 
-  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, and Time reaches to the end.
+  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, and Time reaches to the
+  /// end and tells the knots apart.
   void check(std::size_t control_points, int order) const {
     const auto number = printable(interval);
     if (!(number > 0) || !is_finite(interval)) {
@@ -48,6 +50,15 @@ struct UniformKnots {
     if (!reached) {
       throw std::invalid_argument(message("UniformKnots: ", segments, " segments of ", number, " from ",
                                           printable(start), " on end later than any time that there is"));
+    }
+    if constexpr (std::floating_point<Time>) {
+      const Time last = std::max(std::abs(start), std::abs(domain(control_points, order).end));
+      const Time resolution = std::numeric_limits<Time>::epsilon() * last;
+      if (interval < 4 * resolution) {
+        throw std::invalid_argument(message("UniformKnots: interval is ", interval, " s, but times of ", last,
+                                            " s are told apart by ", resolution,
+                                            " s only; expected a longer interval, or time as integers"));
+      }
     }
   }
 
