@@ -65,11 +65,11 @@ struct DeadReckoning {
   Eigen::Vector3d gravity;
   ErrorStatistics position{}, attitude{};  // m, deg
   std::optional<NavState<double, Time>> state{};
-  Reading previous{};
+  std::optional<Reading> previous{};
 
   void add(const Reading& sample, const NavState<double, Time>& truth) {
     constexpr double degree = 3.14159265358979323846 / 180;
-    state = state ? Scheme::step(*state, previous, sample, gravity) : truth;
+    state = state ? Scheme::step(*state, *previous, sample, gravity) : truth;
     previous = sample;
     position.add((state->p_WB - truth.p_WB).norm());
     attitude.add(increment(truth.R_WB, state->R_WB).norm() / degree);

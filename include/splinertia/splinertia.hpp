@@ -13,6 +13,7 @@
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
+#include <splinertia/spline/parameter_blocks.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <concepts>
@@ -124,7 +125,10 @@ class Spline {
   /// x as it is where it is on the group to rounding; else, where it has drifted, the element next to it.
   [[nodiscard]] static G on_group(const G& x, [[maybe_unused]] std::size_t i) {
     if constexpr (std::floating_point<Scalar> && requires { GroupTraits<G>::normalized(x); }) {
-      constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
+      // Normalising rounds, which increments much smaller than 1 would feel: numbers that were rounded already, to
+      // Scalar or, as most data, to double, stay as they are.
+      constexpr Scalar rounding =
+          4 * std::max(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
       constexpr Scalar tolerance = Scalar(1) / Scalar(1000);
       const Scalar drift = GroupTraits<G>::drift(x);
       if (drift <= rounding) return x;

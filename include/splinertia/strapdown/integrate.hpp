@@ -33,22 +33,23 @@ template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_r
     const Vector3<std::type_identity_t<Scalar>>& gravity = standard_gravity<Scalar>()) {
   std::vector<NavState<Scalar, Time>> states;
   if constexpr (requires { std::ranges::size(samples); }) states.reserve(std::ranges::size(samples));
-  std::ranges::range_value_t<Samples> previous{};
-  for (const auto& sample : samples) {
-    if (states.empty()) {
-      if (!(sample.time == initial.time)) {
-        throw std::invalid_argument(message("integrate: the first sample is at ", printable(sample.time),
-                                            ", the initial state at ", printable(initial.time)));
-      }
-      states.push_back(initial);
-    } else {
-      if (!(sample.time > previous.time)) {
-        throw std::invalid_argument(message("integrate: sample ", states.size(), " is at ", printable(sample.time),
-                                            ", expected a time after ", printable(previous.time)));
-      }
-      states.push_back(Scheme::step(states.back(), previous, sample, gravity));
+  auto sample = std::ranges::begin(samples);
+  const auto end = std::ranges::end(samples);
+  if (sample == end) return states;
+  std::ranges::range_value_t<Samples> previous = *sample;
+  if (!(previous.time == initial.time)) {
+    throw std::invalid_argument(message("integrate: the first sample is at ", printable(previous.time),
+                                        ", the initial state at ", printable(initial.time)));
+  }
+  states.push_back(initial);
+  for (++sample; sample != end; ++sample) {
+    const auto& next = *sample;
+    if (!(next.time > previous.time)) {
+      throw std::invalid_argument(message("integrate: sample ", states.size(), " is at ", printable(next.time),
+                                          ", expected a time after ", printable(previous.time)));
     }
-    previous = sample;
+    states.push_back(Scheme::step(states.back(), previous, next, gravity));
+    previous = next;
   }
   return states;
 }
