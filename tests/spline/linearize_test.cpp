@@ -120,3 +120,14 @@ TEST_CASE("Moving all control points alike moves the curve alike") {
   CHECK(velocity.norm() < 1e-12);
   CHECK(acceleration.norm() < 1e-10);
 }
+
+TEST_CASE("A span of run-time size must be of the right one") {
+  testing::Random random(3);
+  const auto points = random.walk<Sophus::SO3d>(5);
+  const auto basis = uniform_basis<4, 1>(0.4, 0.1);
+  const std::span<const Sophus::SO3d> all(points);
+  CHECK(evaluate<1>(all.first(4), basis).velocity == evaluate<1>(all.first<4>(), basis).velocity);
+  CHECK(linearize<1>(all.first(4), basis).velocity_jacobian == linearize<1>(all.first<4>(), basis).velocity_jacobian);
+  CHECK_THROWS_WITH(evaluate<1>(all, basis), "a curve of order 4 is shaped by as many control points, not by 5");
+  CHECK_THROWS_AS(linearize<1>(all.first(3), basis), std::invalid_argument);
+}

@@ -14,8 +14,10 @@
 #include <span>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
+#include <splinertia/message.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/spline/basis.hpp>
+#include <stdexcept>
 
 namespace splinertia {
 
@@ -107,6 +109,17 @@ template <LieGroup G, int Order>
   return d;
 }
 
+/// A span whose size is only known at run time as that of the Order control points that shape a curve.
+/// Throws std::invalid_argument for any other size.
+template <int Order, LieGroup G>
+[[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> exactly(std::span<const G> control_points) {
+  if (control_points.size() != static_cast<std::size_t>(Order)) {
+    throw std::invalid_argument(
+        message("a curve of order ", Order, " is shaped by as many control points, not by ", control_points.size()));
+  }
+  return control_points.template first<static_cast<std::size_t>(Order)>();
+}
+
 /// The curve from the Order control points that shape it and the basis there, e.g. of UniformKnots::basis.
 template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
@@ -114,6 +127,13 @@ template <int D, LieGroup G, int Order>
   const auto increments = increments_between<G, Order>(control_points);
   return evaluate_increments<D>(
       control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
+}
+
+/// The same from a span of run-time size. Throws std::invalid_argument unless it has Order control points.
+template <int D, LieGroup G, int Order>
+[[nodiscard]] inline Motion<G, D> evaluate(std::span<const G> control_points,
+                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  return evaluate<D>(exactly<Order>(control_points), basis);
 }
 
 }  // namespace splinertia

@@ -237,4 +237,11 @@ template <int D, LieGroupWithJacobians G, int Order>
       control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
 }
 
+/// The same from a span of run-time size. Throws std::invalid_argument unless it has Order control points.
+template <int D, LieGroupWithJacobians G, int Order>
+[[nodiscard]] inline Linearization<G, Order, D> linearize(std::span<const G> control_points,
+                                                          const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
+  return linearize<D>(exactly<Order>(control_points), basis);
+}
+
 }  // namespace splinertia
