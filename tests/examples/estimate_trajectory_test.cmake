@@ -1,17 +1,7 @@
 # Runs estimate_trajectory: the errors that it starts with shrink to what the noise leaves, and bad input is refused.
 cmake_minimum_required(VERSION 3.22)
 
-# run(<exit code> <pattern> <options...>): checks both, the pattern against everything that is printed.
-function(run code pattern)
-  execute_process(COMMAND "${PROGRAM}" ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT result STREQUAL code)
-    message(FATAL_ERROR "estimate_trajectory ${ARGN}: exit code ${result}, expected ${code}\n${text}")
-  endif()
-  if(NOT text MATCHES "${pattern}")
-    message(FATAL_ERROR "estimate_trajectory ${ARGN}: expected to match ${pattern}, printed\n${text}")
-  endif()
-  set(printed "${text}" PARENT_SCOPE)
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 # expect_final(<table> <quantity> <limit>): the final error, in a csv file, must be below.
 function(expect_final table quantity limit)

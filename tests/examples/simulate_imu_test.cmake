@@ -4,16 +4,7 @@ set(out "${WORK_DIR}/out")
 file(REMOVE_RECURSE "${out}")
 file(MAKE_DIRECTORY "${out}")
 
-# run(<exit code> <pattern> <options...>): checks both, the pattern against everything that is printed.
-function(run code pattern)
-  execute_process(COMMAND "${PROGRAM}" ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  if(NOT result STREQUAL code)
-    message(FATAL_ERROR "simulate_imu ${ARGN}: exit code ${result}, expected ${code}\n${text}")
-  endif()
-  if(NOT text MATCHES "${pattern}")
-    message(FATAL_ERROR "simulate_imu ${ARGN}: expected to match ${pattern}, printed\n${text}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 function(expect_equal got expected)
   if(NOT got STREQUAL expected)

@@ -59,8 +59,7 @@ void check_against_differences(double step) {
   const double h = 1e-5;  // second-order differences: truncation 1e-10, rounding 1e-11 of the largest entry, ~10²
   const auto largest = [](const auto& v) { return v.template lpNorm<Eigen::Infinity>(); };
   for (std::size_t i = 0; i < Order; ++i) {
-    const auto column = static_cast<Eigen::Index>(0);
-    for (Eigen::Index k = column; k < DofOf<G>; ++k) {
+    for (Eigen::Index k = 0; k < DofOf<G>; ++k) {
       const G kept = points[i];
       points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * h));
       const auto plus = at();
