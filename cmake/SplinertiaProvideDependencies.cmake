@@ -4,12 +4,13 @@ cmake_minimum_required(VERSION 3.24)
 include_guard(GLOBAL)
 cmake_path(SET splinertia_deps NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../build/deps")
 set(SPLINERTIA_DEPS_DIR "${splinertia_deps}" CACHE PATH "Where fetched packages are kept")
-set(SPLINERTIA_DEPS_SOURCES git apt pip CACHE STRING "Where to fetch from, in this order")
+set(SPLINERTIA_DEPS_SOURCES git apt build pip CACHE STRING "Where to fetch from, in this order")
 
 # package | kind | what to get. The folder in SPLINERTIA_DEPS_DIR is named after the first three cells.
 #   git: tag, url, the commit that the tag must be   apt: package   pip: version, name, sha256 of the source archive
-# git and pip also: the folder that holds the headers there, and its name below include/ here. sophuspy carries upstream's
-# headers of April 2018.
+#   build: as git, and the CMake options that turn off what we do not need: for a package that must be compiled
+# git and pip also: the folder that holds the headers there, and its name below include/ here. sophuspy carries
+# upstream's headers of April 2018.
 set(splinertia_sources
   "Eigen3|git|3.4.0|https://gitlab.com/libeigen/eigen.git|3147391d946bb4b6c68edd901f2add6ac1f31f8c|Eigen|Eigen"
   "Eigen3|apt|libeigen3-dev"
@@ -18,7 +19,10 @@ set(splinertia_sources
   "Catch2|git|v2.13.10|https://github.com/catchorg/Catch2.git|182c910b4b63ff587a3440e08f84f70497e49a81|single_include/catch2|catch2"
   "Catch2|apt|catch2"
   "CLI11|git|v2.4.2|https://github.com/CLIUtils/CLI11.git|6c7b07a878ad834957b98d0f9ce1dbe0cb204fc9|include/CLI|CLI"
-  "CLI11|apt|libcli11-dev")
+  "CLI11|apt|libcli11-dev"
+  "yaml-cpp|apt|libyaml-cpp-dev"
+  "yaml-cpp|build|0.8.0|https://github.com/jbeder/yaml-cpp.git|f7320141120f720aecc4c32be25586e7da9eb978|\
+-DYAML_CPP_BUILD_CONTRIB=OFF -DYAML_CPP_BUILD_TOOLS=OFF")
 
 # Runs a command quietly; a failure is a line of the verbose log and <ok> = FALSE.
 function(splinertia_run ok seconds)
@@ -31,9 +35,9 @@ function(splinertia_run ok seconds)
   endif()
 endfunction()
 
-# splinertia_fetch_<kind>(<prefix> ...the row's cells): fills the empty folder <prefix>, or leaves it without headers.
-
-function(splinertia_fetch_git prefix tag url commit folder include_name)
+# Clones <tag> of <url> into the new folder <source>. <ok> is TRUE if that is <commit>.
+function(splinertia_clone ok tag url commit source)
+  set(${ok} FALSE PARENT_SCOPE)
   find_program(SPLINERTIA_GIT git)
   mark_as_advanced(SPLINERTIA_GIT)
   string(REGEX MATCH "//[^/]+" host "${url}")
@@ -43,22 +47,72 @@ function(splinertia_fetch_git prefix tag url commit folder include_name)
   endif()
   # Ask for the tag first: a clone from a host out of reach would keep everybody waiting.
   set(git ${CMAKE_COMMAND} -E env GIT_TERMINAL_PROMPT=0 "${SPLINERTIA_GIT}" -c advice.detachedHead=false)
-  splinertia_run(ok 10 ${git} ls-remote --exit-code "${url}" "refs/tags/${tag}")
-  if(NOT ok)
+  splinertia_run(answers 10 ${git} ls-remote --exit-code "${url}" "refs/tags/${tag}")
+  if(NOT answers)
     set_property(GLOBAL APPEND PROPERTY splinertia_unreachable "${host}")
     return()
   endif()
-  splinertia_run(ok 300 ${git} clone --quiet --depth 1 --branch "${tag}" "${url}" "${prefix}/source")
-  if(ok)
-    execute_process(COMMAND "${SPLINERTIA_GIT}" -C "${prefix}/source" rev-parse HEAD
+  splinertia_run(cloned 300 ${git} clone --quiet --depth 1 --branch "${tag}" "${url}" "${source}")
+  if(cloned)
+    execute_process(COMMAND "${SPLINERTIA_GIT}" -C "${source}" rev-parse HEAD
       OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE)
     if(head STREQUAL commit)
-      file(COPY "${prefix}/source/${folder}/" DESTINATION "${prefix}/include/${include_name}")
+      set(${ok} TRUE PARENT_SCOPE)
     else()
       message(WARNING "${url} ${tag} is ${head}, not ${commit} as expected: not used")
     endif()
   endif()
+endfunction()
+
+# splinertia_fetch_<kind>(<prefix> ...the row's cells): fills the empty folder <prefix>, or leaves it without headers.
+
+function(splinertia_fetch_git prefix tag url commit folder include_name)
+  splinertia_clone(ok "${tag}" "${url}" "${commit}" "${prefix}/source")
+  if(ok)
+    file(COPY "${prefix}/source/${folder}/" DESTINATION "${prefix}/include/${include_name}")
+  endif()
   file(REMOVE_RECURSE "${prefix}/source")
+endfunction()
+
+# A static library, optimised whatever the preset: only the choice of standard library is passed on. Old releases know
+# nothing of CMake 4 and GCC 15, which took away policies before 3.5 and <cstdint> inside other headers.
+function(splinertia_fetch_build prefix tag url commit options)
+  splinertia_clone(ok "${tag}" "${url}" "${commit}" "${prefix}/source")
+  if(ok)
+    separate_arguments(options)
+    splinertia_run(ok 120 ${CMAKE_COMMAND} -S "${prefix}/source" -B "${prefix}/build" -G "${CMAKE_GENERATOR}"
+      "-DCMAKE_MAKE_PROGRAM=${CMAKE_MAKE_PROGRAM}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
+      "-DCMAKE_CXX_FLAGS=${splinertia_stdlib} -include cstdint" -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_POLICY_VERSION_MINIMUM=3.5 -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF ${options})
+  endif()
+  if(ok)
+    splinertia_run(ok 600 ${CMAKE_COMMAND} --build "${prefix}/build" --config Release)
+  endif()
+  if(ok)
+    splinertia_run(ok 60 ${CMAKE_COMMAND} --install "${prefix}/build" --config Release --prefix "${prefix}")
+  endif()
+  if(ok)
+    file(REMOVE_RECURSE "${prefix}/source" "${prefix}/build")
+  else()
+    file(REMOVE_RECURSE "${prefix}")
+  endif()
+endfunction()
+
+# Downloads <package>, and what it needs in one version exactly, which is the compiled library that belongs to its
+# headers, into the new folder <folder>, by the command <apt>.
+function(splinertia_apt_download ok package folder apt)
+  file(MAKE_DIRECTORY "${folder}")
+  splinertia_run(done 120 ${CMAKE_COMMAND} -E chdir "${folder}" ${apt} download "${package}")
+  if(done)
+    file(GLOB archive "${folder}/*.deb")
+    execute_process(COMMAND "${SPLINERTIA_DPKG}" -f "${archive}" Depends OUTPUT_VARIABLE depends)
+    string(REGEX MATCHALL "[^ ,]+ [(]= [^)]+" libraries "${depends}")
+    string(REPLACE " (= " "=" libraries "${libraries}")
+    if(libraries)
+      splinertia_run(done 120 ${CMAKE_COMMAND} -E chdir "${folder}" ${apt} download ${libraries})
+    endif()
+  endif()
+  set(${ok} ${done} PARENT_SCOPE)
 endfunction()
 
 # Package lists are 100 MB: they are read once, for all packages of the table that might be wanted, and not kept.
@@ -70,10 +124,10 @@ function(splinertia_fetch_apt prefix package)
     return()
   endif()
   set(archives "${SPLINERTIA_DEPS_DIR}/archives")
-  file(GLOB archive "${archives}/${package}_*.deb")
-  if(NOT archive)
+  if(NOT EXISTS "${archives}/${package}")
     set(work "${SPLINERTIA_DEPS_DIR}/apt.part")
-    file(MAKE_DIRECTORY "${work}/lists/partial" "${work}/cache/archives/partial" "${work}/new")
+    file(REMOVE_RECURSE "${work}")
+    file(MAKE_DIRECTORY "${archives}" "${work}/lists/partial" "${work}/cache/archives/partial")
     set(apt "${SPLINERTIA_APT}" -qq -o "Dir::State::Lists=${work}/lists" -o "Dir::Cache=${work}/cache"
       -o APT::Sandbox::User=root -o Acquire::Languages=none -o Acquire::Retries=2 -o Acquire::http::Timeout=20)
     splinertia_run(ok 180 ${apt} update)
@@ -81,22 +135,21 @@ function(splinertia_fetch_apt prefix package)
     list(FILTER rows INCLUDE REGEX "[|]apt[|]")
     foreach(row IN LISTS rows)
       string(REGEX REPLACE ".*[|]" "" wanted "${row}")
-      splinertia_run(ok 120 ${CMAKE_COMMAND} -E chdir "${work}/new" ${apt} download "${wanted}")
-      if(ok)
-        file(GLOB done "${work}/new/${wanted}_*.deb")
-        file(COPY ${done} DESTINATION "${archives}")
+      splinertia_apt_download(ok "${wanted}" "${work}/new/${wanted}" "${apt}")
+      if(ok AND NOT EXISTS "${archives}/${wanted}")
+        file(RENAME "${work}/new/${wanted}" "${archives}/${wanted}")
       endif()
     endforeach()
     file(REMOVE_RECURSE "${work}")
-    file(GLOB archive "${archives}/${package}_*.deb")
   endif()
-  if(archive)
-    list(GET archive 0 archive)
+  file(GLOB packed "${archives}/${package}/*.deb")
+  foreach(archive IN LISTS packed)
     splinertia_run(ok 60 "${SPLINERTIA_DPKG}" -x "${archive}" "${prefix}")
     if(NOT ok)
-      file(REMOVE_RECURSE "${prefix}" "${archive}")
+      file(REMOVE_RECURSE "${prefix}" "${archives}/${package}")
+      return()
     endif()
-  endif()
+  endforeach()
 endfunction()
 
 function(splinertia_fetch_pip prefix version name sha256 folder include_name)
@@ -125,12 +178,20 @@ function(splinertia_provide package prefix)
     list(FILTER row INCLUDE REGEX "^${package}[|]${kind}[|]")
     list(APPEND rows ${row})
   endforeach()
+  # What others compiled is for the compiler's usual standard library.
+  string(REGEX MATCH "-stdlib=libc[+][+]" splinertia_stdlib "${CMAKE_CXX_FLAGS}")
+  if(splinertia_stdlib AND rows MATCHES "[|]build[|]")
+    list(FILTER rows INCLUDE REGEX "[|]build[|]")
+  endif()
   foreach(step IN ITEMS look fetch)
     foreach(row IN LISTS rows)
       string(REPLACE "|" ";" cells "${row}")
       list(POP_FRONT cells package kind)
       list(GET cells 0 version)
       set(folder "${SPLINERTIA_DEPS_DIR}/${package}-${kind}-${version}")
+      if(kind STREQUAL "build")
+        string(APPEND folder "${splinertia_stdlib}")
+      endif()
       if(step STREQUAL "fetch")
         message(STATUS "${package} is not installed, fetching it (${kind})")
         file(REMOVE_RECURSE "${folder}.part")

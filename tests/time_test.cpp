@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
+#include <limits>
 #include <splinertia/time.hpp>
 
 #include "support/catch.hpp"
@@ -25,6 +27,23 @@ TEST_CASE("A time after another is rounded to the nearest tick") {
   CHECK(after(epoch, 0.005) - epoch == nanoseconds{5'000'000});
   CHECK(after(epoch, 1.0 / 3) - epoch == nanoseconds{333'333'333});
   CHECK(after(2.0, 0.5) == 2.5);
+}
+
+TEMPLATE_TEST_CASE("The next time is the next number", "", float, double, long double) {
+  using Time = TestType;
+  const Time smallest = std::numeric_limits<Time>::denorm_min();
+  for (const Time& t : {Time(-1e9L), Time(-1), -smallest, Time(0), smallest, Time(1), Time(1.4e9L)}) {
+    const Time next = next_time(t);
+    CHECK(next > t);
+    const Time between = t + (next - t) / 2;
+    CHECK((between == t || between == next));
+  }
+}
+
+TEST_CASE("The next time is the next tick") {
+  const nanoseconds epoch{1'403'715'524'907'143'168};
+  CHECK(next_time(epoch) - epoch == nanoseconds{1});
+  CHECK(next_time(microseconds{-1}) == microseconds{0});
 }
 
 TEST_CASE("Files of the field keep nanoseconds") {

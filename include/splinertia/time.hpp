@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <type_traits>
 
 namespace splinertia {
@@ -35,6 +36,16 @@ template <TimePoint Time>
   } else {
     using Ticks = std::chrono::duration<double, typename Time::period>;
     return start + Time(std::llround(Ticks(std::chrono::duration<double>(elapsed)).count()));
+  }
+}
+
+/// The time right after t: the next number, or the next tick.
+template <TimePoint Time>
+[[nodiscard]] Time next_time(Time t) {
+  if constexpr (std::floating_point<Time>) {
+    return std::nextafter(t, std::numeric_limits<Time>::max());
+  } else {
+    return t + Time(1);
   }
 }
 

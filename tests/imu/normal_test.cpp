@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <random>
 #include <splinertia/imu/normal.hpp>
 
 #include "support/catch.hpp"
 
 using namespace splinertia;
-
-TEST_CASE("The reproducible logarithm and exponential are those of the library to a few ulp") {
-  for (double x = 1e-300; x < 1e300; x *= 1.37) {
-    CHECK_THAT(reproducible_log(x), WithinULP(std::log(x), 4) || WithinAbs(std::log(x), 4e-16));
-  }
-  for (double x = -99; x <= 0; x += 0.0173)
-    CHECK_THAT(reproducible_exp(x), WithinRel(std::exp(x), 2e-15 * (1 + std::abs(x))));
-  CHECK(reproducible_exp(0) == 1);
-}
 
 TEST_CASE("The layers of the ziggurat have the same area and close at the top") {
   const auto& t = ziggurat_tables;
@@ -27,9 +20,10 @@ TEST_CASE("The layers of the ziggurat have the same area and close at the top") 
   CHECK_THAT(ZigguratTables::tail * t.f[1] + beyond, WithinRel(ZigguratTables::area, 1e-13));
 }
 
-TEST_CASE("The numbers are standard normal") {
-  constexpr int n = 4'000'000;
-  NormalStream normal(StreamKey(2024));
+TEMPLATE_TEST_CASE("The numbers are standard normal, whatever generator their bits come from", "", Xoshiro256,
+                   std::mt19937_64, std::mt19937, std::minstd_rand, std::ranlux24_base) {
+  constexpr int n = 1'000'000;
+  NormalStream<TestType> normal(StreamKey(2024));
   // Moments with their standard errors, and the distribution function at points on layers, wedges and in the tail.
   double m1 = 0, m2 = 0, m3 = 0, m4 = 0, lag = 0, previous = 0;
   constexpr double points[] = {-4, -3.7, -3, -2, -1, -0.3, 0, 0.2, 0.7, 1.5, 2.5, 3.4, 3.66, 4.2};
@@ -54,6 +48,27 @@ TEST_CASE("The numbers are standard normal") {
     const double p = std::erfc(-points[k] / std::sqrt(2.0)) / 2;
     INFO("P(x < " << points[k] << ")");
     CHECK(std::abs(static_cast<double>(below[k]) / n - p) < 4 * std::sqrt(p * (1 - p)) / root);
+  }
+}
+
+TEST_CASE("Uniform numbers are in [0, 1) and uniform") {
+  constexpr int n = 1'000'000;
+  NormalStream normal(StreamKey(2025));
+  int below[10] = {};
+  double smallest = 1, largest = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = normal.uniform();
+    smallest = std::min(smallest, x);
+    largest = std::max(largest, x);
+    for (int k = 0; k < 10; ++k) below[k] += x < k / 10.0 ? 1 : 0;
+  }
+  CHECK(smallest >= 0);
+  CHECK(smallest < 1e-5);
+  CHECK(largest > 1 - 1e-5);
+  CHECK(largest < 1);
+  for (int k = 1; k < 10; ++k) {
+    const double p = k / 10.0;
+    CHECK(std::abs(static_cast<double>(below[k]) / n - p) < 4 * std::sqrt(p * (1 - p) / n));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <random>
 #include <set>
 #include <splinertia/imu/random_stream.hpp>
+#include <string>
 
 #include "support/catch.hpp"
 
@@ -21,6 +22,46 @@ TEST_CASE("Names give keys that do not collide") {
   }
   CHECK(keys.size() == count);
   CHECK((StreamKey(1) / 2 / 3).hash() != (StreamKey(1) / 3 / 2).hash());
+}
+
+TEST_CASE("Keys of a large run do not collide: 200 000 of 2^64") {
+  // The chance that any two do is 1e-9.
+  std::set<std::uint64_t> keys;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint64_t imu = 0; imu < 2; ++imu) {
+      const StreamKey run = StreamKey(seed) / imu;
+      for (std::uint64_t term = 0; term < 10; ++term)
+        for (std::uint64_t axis = 0; axis < 10; ++axis) keys.insert((run / "gyro" / term / axis).hash());
+    }
+  }
+  CHECK(keys.size() == 200'000);
+}
+
+TEST_CASE("A name is its characters and its length") {
+  const StreamKey key(3);
+  CHECK((key / std::string("gyro")).hash() == (key / "gyro").hash());
+  CHECK((key / "a").hash() != (key / "b").hash());
+  CHECK((key / std::string_view("a\0", 2)).hash() != (key / "a").hash());
+  CHECK((key / "ab").hash() != (key / "a" / "b").hash());
+  CHECK((key / "\xc3\xa9").hash() == 0x302b07249d558390U);  // not of the signedness of char
+}
+
+TEST_CASE("Keys and numbers are known while compiling") {
+  constexpr std::uint64_t hash = (StreamKey(42) / "gyro" / 1).hash();
+  constexpr std::uint64_t number = Xoshiro256(StreamKey(42))();
+  CHECK(hash == (StreamKey(42) / "gyro" / 1).hash());
+  CHECK(number == Xoshiro256(StreamKey(42))());
+}
+
+TEST_CASE("Scrambling is the published finaliser") {
+  // SplitMix64 seeded with 1234567, whose first outputs are known: Rosetta Code, "Pseudo-random numbers/Splitmix64".
+  std::uint64_t state = 1234567;
+  for (const std::uint64_t expected : {6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
+                                       4593380528125082431U, 16408922859458223821U}) {
+    state += 0x9e3779b97f4a7c15U;
+    CHECK(scramble(state) == expected);
+  }
+  CHECK(StreamKey(1234567).hash() == 6457827717110365317U);
 }
 
 TEST_CASE("The generator is the published one") {

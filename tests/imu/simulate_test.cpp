@@ -1,13 +1,30 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <random>
 #include <ranges>
+#include <splinertia/imu/clock_drift.hpp>
+#include <splinertia/imu/clock_offset.hpp>
+#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/imu/dropped_samples.hpp>
+#include <splinertia/imu/first_order_bandwidth.hpp>
+#include <splinertia/imu/misalignment.hpp>
 #include <splinertia/imu/random_walk.hpp>
+#include <splinertia/imu/rate_ramp.hpp>
+#include <splinertia/imu/scale_factor.hpp>
+#include <splinertia/imu/second_order_bandwidth.hpp>
 #include <splinertia/imu/simulate.hpp>
+#include <splinertia/imu/stamp_jitter.hpp>
+#include <splinertia/imu/temperature_bias.hpp>
+#include <splinertia/imu/turn_on_bias.hpp>
 #include <splinertia/imu/white_noise.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/spline/spline.hpp>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -91,6 +108,133 @@ TEST_CASE("A temporary motion is kept for as long as the samples") {
   CHECK(last == 1);
 }
 
+TEST_CASE("The bias reported is the one in the sample, through all that acts on both") {
+  const Eigen::Matrix3d M = (Eigen::Matrix3d() << 1, 0.1, 0, 0, 0.9, -0.1, 0.2, 0, 1.1).finished();
+  const auto model = [&](double size) {
+    return ErrorModel{ConstantBias{size}, TurnOnBias{size},        RandomWalk{size}, Misalignment{M},
+                      RateRamp{size},     FirstOrderBandwidth{10}, ScaleFactor{0.1}, SecondOrderBandwidth{20, 0.7}};
+  };
+  const Ellipse<> motion;
+  const auto with_bias = simulate(motion, Imu{model(0.1), model(0.2)}, {.seed = 3, .start = 0.0, .end = 2.0});
+  const auto without = simulate(motion, Imu{model(0), model(0)}, {.seed = 3, .start = 0.0, .end = 2.0});
+  auto clean = without.begin();
+  for (const auto& r : with_bias) {
+    REQUIRE((r.gyro - r.gyro_bias - clean->gyro).norm() < 1e-12);
+    REQUIRE((r.accel - r.accel_bias - clean->accel).norm() < 1e-12);
+    REQUIRE(r.gyro_bias.norm() > 0);
+    ++clean;
+  }
+}
+
+TEST_CASE("Several IMUs of a run have errors of their own, each the same whatever else there is") {
+  const Ellipse<> motion;
+  const auto samples = [&](const auto& imu, std::uint64_t which) {
+    std::vector<Eigen::Vector3d> gyros, accels;
+    for (const auto& r : simulate(motion, imu, {.seed = 1, .imu = which, .start = 0.0, .end = 0.5})) {
+      gyros.push_back(r.gyro);
+      accels.push_back(r.accel);
+    }
+    return std::pair(gyros, accels);
+  };
+  const auto first = samples(noisy, 0), second = samples(noisy, 1);
+  for (std::size_t i = 0; i < first.first.size(); ++i) {
+    CHECK(first.first[i] != second.first[i]);
+    CHECK(first.second[i] != second.second[i]);
+  }
+  const ErrorModel stamps{StampJitter{1e-4}, DroppedSamples{0.0}};
+  CHECK(samples(Imu{noisy.gyro, ErrorModel{ConstantBias{1}, WhiteNoise{1.0}}, stamps}, 0).first == first.first);
+  CHECK(samples(Imu{ErrorModel{}, noisy.accel, stamps}, 1).second == second.second);
+  // The name of its random numbers.
+  auto state = noisy.gyro.start(StreamKey(1) / 1 / "gyro");
+  const auto ideal_first = ideal_imu(motion.evaluate<2>(0.0));
+  Sample<double> sample{ideal_first.gyro, Eigen::Vector3d::Zero(), 1 / 200.0, true, 0, ideal_first};
+  noisy.gyro.apply(sample, state);
+  CHECK(sample.value == second.first[0]);
+}
+
+TEST_CASE("Random numbers come from any generator asked for") {
+  const auto gyros = [&](const auto& run) {
+    std::vector<Eigen::Vector3d> values;
+    for (const auto& r : run) values.push_back(r.gyro);
+    return values;
+  };
+  const Ellipse<> motion;
+  const auto ours = gyros(simulate(motion, noisy, {.seed = 1, .start = 0.0, .end = 1.0}));
+  const auto theirs = gyros(simulate<std::mt19937_64>(motion, noisy, {.seed = 1, .start = 0.0, .end = 1.0}));
+  const auto small = gyros(simulate<std::minstd_rand>(motion, noisy, {.seed = 1, .start = 0.0, .end = 1.0}));
+  CHECK(theirs == gyros(simulate<std::mt19937_64>(motion, noisy, {.seed = 1, .start = 0.0, .end = 1.0})));
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    CHECK(ours[i] != theirs[i]);
+    CHECK(ours[i] != small[i]);
+    CHECK((theirs[i] - ours[i]).norm() < 10 * 0.2121);
+  }
+}
+
+TEST_CASE("Samples that are dropped leave those that arrive as they were") {
+  const Ellipse<> motion;
+  const auto arriving = [&](double probability, std::uint64_t seed) {
+    const Imu imu{noisy.gyro, noisy.accel, ErrorModel{DroppedSamples{probability}}};
+    return simulate(motion, imu, {.rate = 100, .seed = seed, .start = 0.0, .end = 10.0});
+  };
+  std::vector<Eigen::Vector3d> all;
+  for (const auto& r : arriving(0, 1)) all.push_back(r.gyro);
+  CHECK(all.size() == 1001);
+  std::size_t count = 0;
+  for (const auto& r : arriving(0.5, 1)) {
+    CHECK(r.time == r.true_time);
+    CHECK(r.gyro == all[static_cast<std::size_t>(std::lround(r.time * 100))]);
+    ++count;
+  }
+  CHECK(count > 1001 / 2 - 64);  // four standard deviations
+  CHECK(count < 1001 / 2 + 64);
+  CHECK(arriving(0.5, 1).size() == 1001);
+}
+
+TEST_CASE("A run ends well where its last samples are dropped, or its first, or all") {
+  const auto rest = at_rest(SO3xR3<double>{});
+  const Imu imu{noisy.gyro, noisy.accel, ErrorModel{DroppedSamples{0.7}}};
+  int none = 0, first_lost = 0, last_lost = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const auto run = simulate(rest, imu, {.rate = 1, .seed = seed, .start = 0.0, .end = 3.0});
+    std::vector<double> times;
+    for (const auto& r : run) times.push_back(r.true_time);
+    CHECK((run.begin() == run.end()) == times.empty());
+    CHECK(std::ranges::is_sorted(times));
+    none += times.empty();
+    first_lost += !times.empty() && times.front() > 0;
+    last_lost += !times.empty() && times.back() < 3;
+  }
+  CHECK(none > 20);  // 0.7⁴ is a quarter
+  CHECK(first_lost > 20);
+  CHECK(last_lost > 20);
+}
+
+TEST_CASE("A clock that is off tells the true time, too") {
+  testing::Random random(1);
+  const Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>> curve(
+      {nanoseconds{1'403'715'524'907'143'168}, nanoseconds{100'000'000}}, random.walk<SO3xR3<double>>(13));
+  const Imu imu{ErrorModel{}, ErrorModel{}, ErrorModel{ClockOffset{0.005}, ClockDrift{1e-3}, StampJitter{0.01}}};
+  std::vector<nanoseconds> times, true_times;
+  for (const auto& r : simulate(curve, imu, {.rate = 200, .seed = 4})) {
+    times.push_back(r.time);
+    true_times.push_back(r.true_time);
+    CHECK(r.accel == ideal_imu(curve.evaluate<2>(r.true_time)).accel);  // taken on time
+  }
+  CHECK(times.size() == 201);
+  CHECK(true_times.front() == curve.start());
+  CHECK(true_times.back() == curve.end());
+  CHECK(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end());
+}
+
+TEST_CASE("A run is a range for the standard library, whatever the terms are") {
+  const Ellipse<> motion;
+  const Imu imu{noisy.gyro, ErrorModel{TemperatureBias{0.1, WarmUp{20, 60, 300}}}, ErrorModel{StampJitter{1e-4}}};
+  auto run = simulate(motion, imu, {.rate = 10, .start = 0.0, .end = 1.0});
+  STATIC_CHECK(std::ranges::input_range<decltype(run)>);
+  STATIC_CHECK(std::ranges::input_range<decltype(simulate<std::mt19937_64>(motion, imu))>);
+  CHECK(std::ranges::distance(run.begin(), run.end()) == 11);
+}
+
 TEST_CASE("Float works throughout") {
   const Imu imu{ErrorModel{WhiteNoise{0.015F}}, ErrorModel{RandomWalk{0.1F}}};
   std::size_t n = 0;
@@ -105,6 +249,9 @@ TEST_CASE("A run that cannot be is refused") {
   const Ellipse<> motion;
   CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = -5, .start = 0.0, .end = 1.0}),
                     "simulate: rate is -5 Hz, expected a positive finite number");
+  CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = 0, .start = 0.0, .end = 1.0}),
+                    "simulate: rate is 0 Hz, expected a positive finite number");
+  CHECK_THROWS_AS(simulate(motion, ideal, {.rate = INFINITY, .start = 0.0, .end = 1.0}), std::invalid_argument);
   CHECK_THROWS_AS(simulate(motion, ideal, {.rate = std::nan(""), .start = 0.0, .end = 1.0}), std::invalid_argument);
   CHECK_THROWS_WITH(simulate(motion, ideal, {.rate = 10}),
                     "simulate: the motion has no bounds, expected options .start and .end");

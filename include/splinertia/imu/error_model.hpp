@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <splinertia/imu/error_term.hpp>
@@ -12,35 +10,52 @@
 
 namespace splinertia {
 
+/// Whether there is a function check_together(a, b), which throws std::invalid_argument if they cannot stand together.
+template <typename A, typename B>
+inline constexpr bool are_checked_together = requires(const A& a, const B& b) { check_together(a, b); };
+
 /// The error terms of one three-axis sensor, applied in the order written:
 ///
 ///   ErrorModel gyro{RandomWalk{5e-5}, WhiteNoise{0.015}};
 ///   ErrorModel ideal{};                                     // an empty type that does nothing
 ///
-/// What is not named costs nothing. See error_term.hpp for terms of your own.
+/// The same of a clock's time stamps: ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. What is not named
+/// costs nothing. See error_term.hpp for terms of your own. Two terms that cannot stand together are found by calling
+/// check_together(a, b), or (b, a), where there is such a function.
 template <ErrorTerm... Terms>
 class ErrorModel {
  public:
   /// What changes from sample to sample, for one sensor in one run.
-  using State = std::tuple<typename Terms::State...>;
+  template <BitGenerator Generator = Xoshiro256>
+  using State = std::tuple<StateOf<Terms, Generator>...>;
 
-  constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {}
+  /// Throws std::invalid_argument for terms that cannot stand together.
+  constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {
+    if constexpr ((are_any_checked_with<Terms> || ...)) check_all(indices);
+  }
 
   /// The state before the first sample. Each term has random streams of its own under `sensor`, named by the term and
   /// by how many of the same name stand before it.
-  [[nodiscard]] State start(StreamKey sensor) const {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return State{start_term<I>(sensor)...}; }(indices);
-  }
-
-  /// Puts all errors into a sample.
-  template <typename Scalar>
-  void apply(Sample<Scalar>& sample, State& state) const {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (std::get<I>(terms_).apply(sample, std::get<I>(state)), ...);
+  template <BitGenerator Generator = Xoshiro256>
+  [[nodiscard]] State<Generator> start(StreamKey sensor) const {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return State<Generator>{start_term<I, Generator>(sensor)...};
     }(indices);
   }
 
+  /// Puts all errors into a sample (a Sample, or a Stamp).
+  template <typename AnySample, typename AnyState>
+  [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
+    apply_all(sample, state, indices);
+  }
+
   [[nodiscard]] constexpr const std::tuple<Terms...>& terms() const { return terms_; }
+
+  /// The same model with more terms after its own.
+  template <ErrorTerm... More>
+  [[nodiscard]] constexpr ErrorModel<Terms..., More...> with(const More&... more) const {
+    return std::apply([&](const auto&... term) { return ErrorModel<Terms..., More...>(term..., more...); }, terms_);
+  }
 
  private:
   static constexpr auto indices = std::index_sequence_for<Terms...>{};
@@ -48,15 +63,36 @@ class ErrorModel {
   template <std::size_t I>
   using Term = std::tuple_element_t<I, std::tuple<Terms...>>;
 
-  template <typename Term>
-  static constexpr bool draws = std::constructible_from<typename Term::State, StreamKey>;
+  template <std::size_t... I>
+  [[gnu::always_inline]] void apply_all(auto& sample, auto& state, std::index_sequence<I...>) const {
+    (std::get<I>(terms_).apply(sample, std::get<I>(state)), ...);
+  }
+
+  // One answer for each pair of types: compilers remember it from model to model.
+  template <typename T>
+  static constexpr bool are_any_checked_with = (are_checked_together<T, Terms> || ...);
+
+  template <std::size_t... I>
+  constexpr void check_all(std::index_sequence<I...>) const {
+    (check_beside<I>(indices), ...);
+  }
+  template <std::size_t I, std::size_t... J>
+  constexpr void check_beside(std::index_sequence<J...>) const {
+    (check_pair<I, J>(), ...);
+  }
+  template <std::size_t I, std::size_t J>
+  constexpr void check_pair() const {
+    if constexpr (I != J && are_checked_together<Term<I>, Term<J>>) {
+      check_together(std::get<I>(terms_), std::get<J>(terms_));
+    }
+  }
 
   // How many terms before the I-th have its name.
   template <std::size_t I>
   static constexpr std::uint64_t occurrence() {
     return []<std::size_t... J>(std::index_sequence<J...>) {
       [[maybe_unused]] const auto same = []<std::size_t j>() {
-        if constexpr (draws<Term<j>>) {
+        if constexpr (StochasticTerm<Term<j>>) {
           return Term<j>::name == Term<I>::name;
         } else {
           return false;
@@ -66,12 +102,12 @@ class ErrorModel {
     }(std::make_index_sequence<I>{});
   }
 
-  template <std::size_t I>
+  template <std::size_t I, typename Generator>
   static auto start_term(StreamKey sensor) {
-    if constexpr (draws<Term<I>>) {
-      return typename Term<I>::State(sensor / Term<I>::name / occurrence<I>());
+    if constexpr (StochasticTerm<Term<I>>) {
+      return StateOf<Term<I>, Generator>(sensor / Term<I>::name / occurrence<I>());
     } else {
-      return typename Term<I>::State{};
+      return StateOf<Term<I>, Generator>{};
     }
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/motion/kinematics.hpp>
 
 namespace splinertia {
@@ -12,13 +13,6 @@ template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> standard_gravity() {
   return {Scalar(0), Scalar(0), Scalar(-980665) / Scalar(100000)};
 }
-
-/// One measurement of both sensors, in the IMU's axes.
-template <typename Scalar>
-struct ImuMeasurement {
-  Vector3<Scalar> gyro;   ///< angular velocity, rad/s
-  Vector3<Scalar> accel;  ///< specific force, m/s²
-};
 
 /// Where the IMU is mounted when it is not the body frame itself.
 template <typename Scalar>

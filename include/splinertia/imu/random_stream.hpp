@@ -58,7 +58,7 @@ class Xoshiro256 {
   static constexpr result_type min() { return 0; }
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
-  constexpr result_type operator()() {
+  [[gnu::always_inline]] constexpr result_type operator()() {
     auto& [a, b, c, d] = state_;
     const std::uint64_t result = std::rotl(a + d, 23) + a;
     const std::uint64_t t = b << 17;

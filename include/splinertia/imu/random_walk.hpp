@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/per_axis.hpp>
 #include <string_view>
@@ -15,9 +14,10 @@ namespace splinertia {
 template <typename Scalar = double>
 struct RandomWalk {
   static constexpr std::string_view name = "random walk";
+  template <typename Normals>
   struct State {
-    explicit State(StreamKey term) : normal(term) {}
-    NormalStreams normal;
+    explicit State(StreamKey term) : normals(term) {}
+    Normals normals;
     Vector3<Scalar> bias = Vector3<Scalar>::Zero();
   };
 
@@ -25,25 +25,22 @@ struct RandomWalk {
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
   constexpr RandomWalk(const PerAxis<Scalar>& density_) : density(density_) {
-    density.require_non_negative("RandomWalk", "density");
+    require_non_negative("RandomWalk", "density", density);
   }
 
-  void apply(Sample<Scalar>& sample, State& state) const {
-    using std::sqrt;
+  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& state) const {
     if (!sample.first) {
-      const Scalar root_interval = sqrt(sample.interval);
-      const Vector3<Scalar> n = state.normal.template draw<Scalar>();
-      for (int axis = 0; axis < 3; ++axis)
-        state.bias[axis] += density[static_cast<std::size_t>(axis)] * root_interval * n[axis];
+      state.bias +=
+          (density.vector() * square_root(sample.interval)).cwiseProduct(state.normals.template draw<Scalar>());
     }
     sample.value += state.bias;
     sample.bias += state.bias;
   }
+
+  void describe(auto&& parameter) const { parameter("density", density, SensorUnit{1, true}); }
 };
 
-template <std::floating_point Scalar>
-RandomWalk(Scalar) -> RandomWalk<Scalar>;
-template <typename Scalar>
-RandomWalk(const Vector3<Scalar>&) -> RandomWalk<Scalar>;
+template <typename P>
+RandomWalk(const P&) -> RandomWalk<ScalarOfParameter<P>>;
 
 }  // namespace splinertia

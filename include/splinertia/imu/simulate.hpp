@@ -7,8 +7,10 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/flatten.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/imu/imu.hpp>
+#include <splinertia/imu/imu_errors.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/time.hpp>
@@ -18,32 +20,11 @@
 
 namespace splinertia {
 
-/// The errors of the two sensors of an IMU: Imu{gyro, accel}.
-template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>>
-struct Imu {
-  [[no_unique_address]] Gyro gyro{};
-  [[no_unique_address]] Accel accel{};
-};
-
-template <typename Gyro, typename Accel>
-Imu(Gyro, Accel) -> Imu<Gyro, Accel>;
-
-/// One simulated sample.
-template <typename Scalar, TimePoint Time>
-struct BasicImuReading {
-  Time time;
-  Vector3<Scalar> gyro;        ///< rad/s
-  Vector3<Scalar> accel;       ///< m/s²
-  Vector3<Scalar> gyro_bias;   ///< the true bias in `gyro`
-  Vector3<Scalar> accel_bias;  ///< the true bias in `accel`
-};
-
-using ImuReading = BasicImuReading<double, double>;
-
 template <typename Scalar, TimePoint Time>
 struct SimulationOptions {
   double rate = 200;                                     ///< samples a second, Hz
   std::uint64_t seed = 0;                                ///< of the run; the same seed gives the same samples
+  std::uint64_t imu = 0;                                 ///< which of several in the run: each has errors of its own
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
   std::optional<Time> start{};                           ///< of the first sample; default: where the motion starts
   std::optional<Time> end{};                             ///< no sample after it; default: where the motion ends
@@ -51,13 +32,14 @@ struct SimulationOptions {
 
 /// The samples of an IMU on a moving body: a range that makes each sample when it is reached, in constant memory, and
 /// from the first one again at each begin(). See simulate().
-template <typename Motion, typename Sensors>
+template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256>
 class Simulation {
  public:
   using Trajectory = std::remove_cvref_t<Motion>;
   using Scalar = ScalarOf<typename Trajectory::Group>;
   using Time = typename Trajectory::Time;
-  using Reading = BasicImuReading<Scalar, Time>;
+  using Errors = ImuErrors<Sensors, Scalar, Time, Generator>;
+  using Reading = typename Errors::Reading;
   using Options = SimulationOptions<Scalar, Time>;
 
   Simulation(Motion&& motion, const Sensors& sensors, const Options& options)
@@ -66,6 +48,7 @@ class Simulation {
         gravity_(options.gravity),
         rate_(options.rate),
         seed_(options.seed),
+        imu_(options.imu),
         start_(options.start.value_or(motion_.start())),
         end_(options.end.value_or(motion_.end())) {
     if (!(rate_ > 0 && rate_ <= std::numeric_limits<double>::max())) {
@@ -85,7 +68,7 @@ class Simulation {
     size_ = static_cast<std::size_t>(intervals * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1;
   }
 
-  /// The number of samples: both ends are sampled where they fall on one.
+  /// The number of samples taken: both ends are sampled where they fall on one. Fewer arrive where some are dropped.
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Trajectory& motion() const { return motion_; }
 
@@ -95,60 +78,66 @@ class Simulation {
     using difference_type = std::ptrdiff_t;
     using iterator_concept = std::input_iterator_tag;
 
-    explicit Iterator(const Simulation& simulation)
+    [[gnu::always_inline]] explicit Iterator(const Simulation& simulation)
         : simulation_(&simulation),
-          gyro_(simulation.sensors_.gyro.start(StreamKey(simulation.seed_) / "gyro")),
-          accel_(simulation.sensors_.accel.start(StreamKey(simulation.seed_) / "accel")) {
+          size_(simulation.size_),
+          interval_(static_cast<Scalar>(1 / simulation.rate_)),
+          errors_(simulation.sensors_, StreamKey(simulation.seed_) / simulation.imu_) {
       sample();
     }
     [[nodiscard]] const Reading& operator*() const { return reading_; }
     [[nodiscard]] const Reading* operator->() const { return &reading_; }
-    Iterator& operator++() {
-      if (++index_ < simulation_->size_) sample();
+    [[gnu::always_inline]] Iterator& operator++() {
+      ++index_;
+      sample();
       return *this;
     }
     void operator++(int) { ++*this; }
-    [[nodiscard]] bool operator==(std::default_sentinel_t) const { return index_ == simulation_->size_; }
+    [[nodiscard, gnu::always_inline]] bool operator==(std::default_sentinel_t) const { return index_ == size_; }
 
    private:
-    void sample() {
+    // The next one from index_ on that arrives.
+    [[gnu::always_inline]] void sample() {
       const Simulation& s = *simulation_;
-      reading_.time = s.time(index_);
-      const auto ideal = ideal_imu(s.motion_.template evaluate<2>(reading_.time), s.gravity_);
-      const Scalar interval = static_cast<Scalar>(1 / s.rate_);
-      const bool first = index_ == 0;
-      Sample<Scalar> gyro{ideal.gyro, Vector3<Scalar>::Zero(), interval, first};
-      Sample<Scalar> accel{ideal.accel, Vector3<Scalar>::Zero(), interval, first};
-      s.sensors_.gyro.apply(gyro, gyro_);
-      s.sensors_.accel.apply(accel, accel_);
-      reading_.gyro = gyro.value;
-      reading_.accel = accel.value;
-      reading_.gyro_bias = gyro.bias;
-      reading_.accel_bias = accel.bias;
+      for (; index_ < size_; ++index_) {
+        const Time time = s.time(index_);
+        const auto ideal =
+            flattened<Scalar>([&s, time] { return ideal_imu(s.motion_.template evaluate<2>(time), s.gravity_); });
+        if (errors_.apply(time, ideal, interval_, reading_)) return;
+      }
     }
 
     const Simulation* simulation_;
+    std::size_t size_;
     std::size_t index_ = 0;
-    [[no_unique_address]] typename decltype(Sensors::gyro)::State gyro_;
-    [[no_unique_address]] typename decltype(Sensors::accel)::State accel_;
+    Scalar interval_;
+    Errors errors_;
     Reading reading_;
   };
 
-  [[nodiscard]] Iterator begin() const { return Iterator(*this); }
+  [[nodiscard, gnu::always_inline]] Iterator begin() const {
+    // Moved out of what a function that is not inlined has had the address of: see ImuErrors.
+    Iterator first = first_sample();
+    return Iterator(std::move(first));
+  }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
 
   /// When sample i is taken: counted from the start, so that no rounding adds up.
   [[nodiscard]] Time time(std::size_t i) const {
-    const Time t = after(start_, static_cast<double>(i) / rate_);
+    const Time t = after(start_, static_cast<double>(static_cast<std::ptrdiff_t>(i)) / rate_);
     return t < end_ ? t : end_;
   }
 
  private:
+  // Not inlined, so that loops over the samples have the code that makes one only once.
+  [[nodiscard, gnu::noinline]] Iterator first_sample() const { return Iterator(*this); }
+
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
   [[no_unique_address]] Sensors sensors_;
   Vector3<Scalar> gravity_;
   double rate_;
   std::uint64_t seed_;
+  std::uint64_t imu_;
   Time start_;
   Time end_;
   std::size_t size_;
@@ -157,14 +146,18 @@ class Simulation {
 /// What an IMU in the body frame measures along a motion, with the error terms of `sensors`:
 ///
 ///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …   // r.time, r.gyro, r.accel,
-///   …
+///                                                                                          // r.gyro_bias,
+///                                                                                          r.accel_bias
 ///
-/// A motion passed as an lvalue is referred to and must outlive the simulation; a temporary is kept inside.
-/// Throws std::invalid_argument for a rate that is not positive and finite, times outside the motion, or no bounds.
-template <typename Motion, typename Sensors>
+/// and r.true_time where the stamps have errors. Random numbers come from Generator, any uniform random bit generator:
+/// simulate<std::mt19937_64>(…). A motion passed as an lvalue is referred to and must outlive the simulation; a
+/// temporary is kept inside. Throws std::invalid_argument for a rate that is not positive and finite, times outside the
+/// motion, or no bounds.
+template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
-[[nodiscard]] Simulation<Motion, Sensors> simulate(Motion&& motion, const Sensors& sensors,
-                                                   const typename Simulation<Motion, Sensors>::Options& options = {}) {
+[[nodiscard]] Simulation<Motion, Sensors, Generator> simulate(
+    Motion&& motion, const Sensors& sensors,
+    const typename Simulation<Motion, Sensors, Generator>::Options& options = {}) {
   return {std::forward<Motion>(motion), sensors, options};
 }
 

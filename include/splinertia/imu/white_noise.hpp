@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <concepts>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/per_axis.hpp>
 #include <string_view>
@@ -14,27 +13,25 @@ namespace splinertia {
 template <typename Scalar = double>
 struct WhiteNoise {
   static constexpr std::string_view name = "white noise";
-  using State = NormalStreams;
+  template <typename Normals>
+  using State = Normals;
 
   PerAxis<Scalar> density;
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
   constexpr WhiteNoise(const PerAxis<Scalar>& density_) : density(density_) {
-    density.require_non_negative("WhiteNoise", "density");
+    require_non_negative("WhiteNoise", "density", density);
   }
 
-  void apply(Sample<Scalar>& sample, State& normal) const {
-    using std::sqrt;
-    const Scalar per_root_second = Scalar(1) / sqrt(sample.interval);
-    const Vector3<Scalar> n = normal.draw<Scalar>();
-    for (int axis = 0; axis < 3; ++axis)
-      sample.value[axis] += density[static_cast<std::size_t>(axis)] * per_root_second * n[axis];
+  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& normals) const {
+    const Scalar per_root_second = Scalar(1) / square_root(sample.interval);
+    sample.value += (density.vector() * per_root_second).cwiseProduct(normals.template draw<Scalar>());
   }
+
+  void describe(auto&& parameter) const { parameter("density", density, SensorUnit{0, true}); }
 };
 
-template <std::floating_point Scalar>
-WhiteNoise(Scalar) -> WhiteNoise<Scalar>;
-template <typename Scalar>
-WhiteNoise(const Vector3<Scalar>&) -> WhiteNoise<Scalar>;
+template <typename P>
+WhiteNoise(const P&) -> WhiteNoise<ScalarOfParameter<P>>;
 
 }  // namespace splinertia

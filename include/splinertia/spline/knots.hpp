@@ -2,7 +2,6 @@
 /// What a curve asks of its knots: where it is defined, which control points shape it at a time, and how much each.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <splinertia/spline/basis.hpp>
@@ -39,15 +38,5 @@ concept Knots = std::copyable<K> && TimePoint<typename K::Time> &&
                   // the end to the last span that is not empty.
                   { knots.template basis<double, 4, 2>(t, control_points) } -> std::same_as<BasisAt<double, 4, 2>>;
                 };
-
-/// Whether a time is a number: integers always are.
-template <TimePoint Time>
-[[nodiscard]] bool is_finite(Time t) {
-  if constexpr (std::floating_point<Time>) {
-    return std::isfinite(t);
-  } else {
-    return true;
-  }
-}
 
 }  // namespace splinertia

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 #include <span>
+#include <splinertia/finite.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/spline/nonuniform_basis.hpp>

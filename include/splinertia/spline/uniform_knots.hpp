@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/finite.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/basis.hpp>

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: MIT
+// What sensor errors cost: each term, beside the same loop written by hand; a full sensor, beside one with the normal
+// numbers of <random>; and the memory of long runs.
+//
+// NAME is the library, NAME_by_hand the same arithmetic on plain vectors with constants computed before the loop; both
+// add up all readings, and must come to the same sums. apply_… applies the errors of one sensor to measurements that
+// are in memory; simulate_… is a whole simulate() of both sensors on a cubic spline on SO(3) × R³ at 200 Hz.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <splinertia/splinertia.hpp>
+
+#include "support/harness.hpp"
+
+using namespace splinertia;
+using Vector = Eigen::Vector3d;
+
+namespace {
+
+constexpr std::size_t longest_run = 20000;  // samples; more calls are several runs
+
+/// 200 Hz, unknown while compiling.
+double rate() {
+  static volatile double value = 200;
+  return value;
+}
+
+struct Sums {
+  Vector gyro = Vector::Zero(), accel = Vector::Zero();
+};
+
+struct Workload {
+  std::vector<Vector> measurements;
+  std::vector<SO3xR3<double>> control_points;
+
+  Workload() {
+    std::mt19937_64 bits(1);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> angle(-0.29, 0.29);
+    for (int i = 0; i < 4096; ++i) measurements.emplace_back(normal(bits), normal(bits), normal(bits));
+    Sophus::SO3d R;
+    for (int i = 0; i < 1010; ++i) {
+      R = GroupTraits<Sophus::SO3d>::compose(R,
+                                             GroupTraits<Sophus::SO3d>::exp({angle(bits), angle(bits), angle(bits)}));
+      control_points.push_back(make_pose<SO3xR3<double>>(R, Vector(normal(bits), normal(bits), normal(bits))));
+    }
+  }
+};
+
+const Workload& workload() {
+  static const Workload the;
+  return the;
+}
+
+using Curve = Spline<SO3xR3<double>, 4>;
+
+const Curve& curve() {
+  static const Curve the({.start = 0.0, .interval = 0.1}, workload().control_points);
+  return the;
+}
+
+const StreamKey run_key = StreamKey(0) / 0;  // of simulate() with seed 0
+
+// The library.
+
+template <typename Model>
+[[gnu::noinline]] void apply_model(const Model& given, std::size_t calls, Sums& result) {
+  const Model model = given;
+  auto state = model.start(run_key / "gyro");
+  const double interval = 1 / rate();
+  const Vector* measurements = workload().measurements.data();
+  Vector sum = Vector::Zero();
+  for (std::size_t i = 0; i < calls; ++i) {
+    const Vector& x = measurements[i % 4096];
+    Sample<double> sample{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval, {x, x}};
+    model.apply(sample, state);
+    sum += sample.value;
+  }
+  result.gyro += sum;
+}
+
+template <typename Model>
+[[gnu::noinline]] void simulate_model(const Model& model, std::size_t calls, Sums& result) {
+  Sums sums;
+  const double end = (static_cast<double>(calls) - 0.5) / rate();
+  for (const auto& r : simulate(curve(), Imu{model, model}, {.rate = rate(), .seed = 0, .end = end})) {
+    sums.gyro += r.gyro;
+    sums.accel += r.accel;
+  }
+  result.gyro += sums.gyro;
+  result.accel += sums.accel;
+}
+
+// The same by hand. An Error is made from the key of its sensor.
+
+template <typename Error>
+[[gnu::noinline]] void apply_by_hand(std::size_t calls, Sums& result) {
+  Error error(run_key / "gyro");
+  const Vector* measurements = workload().measurements.data();
+  Vector sum = Vector::Zero();
+  for (std::size_t i = 0; i < calls; ++i) sum += error(measurements[i % 4096]);
+  result.gyro += sum;
+}
+
+template <typename Error>
+[[gnu::noinline]] void simulate_by_hand(std::size_t calls, Sums& result) {
+  const Curve& motion = curve();
+  const double hz = rate(), start = motion.start(), end = (static_cast<double>(calls) - 0.5) / hz;
+  const Vector gravity = standard_gravity<double>();
+  Error gyro(run_key / "gyro"), accel(run_key / "accel");
+  Sums sums;
+  for (std::size_t i = 0; i < calls; ++i) {
+    double t = start + static_cast<double>(i) / hz;
+    if (!(t < end)) t = end;
+    const auto ideal = ideal_imu(motion.evaluate<2>(t), gravity);
+    sums.gyro += gyro(ideal.gyro);
+    sums.accel += accel(ideal.accel);
+  }
+  result.gyro += sums.gyro;
+  result.accel += sums.accel;
+}
+
+struct Normals {
+  NormalStream<> x, y, z;
+
+  explicit Normals(StreamKey term) : x(term / 0), y(term / 1), z(term / 2) {}
+  [[gnu::always_inline]] Vector operator()() {
+    const double a = x(), b = y(), c = z();
+    return {a, b, c};
+  }
+};
+
+struct NoErrorsByHand {
+  explicit NoErrorsByHand(StreamKey) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) { return v; }
+};
+
+constexpr double density = 0.015;
+
+struct WhiteNoiseByHand {
+  Normals normals;
+  double deviation = density * (1 / std::sqrt(1 / rate()));
+
+  explicit WhiteNoiseByHand(StreamKey sensor) : normals(sensor / "white noise" / 0) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) { return v + deviation * normals(); }
+};
+
+struct RandomWalkByHand {
+  Normals normals;
+  double step = density * std::sqrt(1 / rate());
+  Vector bias = Vector::Zero();
+
+  explicit RandomWalkByHand(StreamKey sensor) : normals(sensor / "random walk" / 0) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) {
+    const Vector result = v + bias;
+    bias += step * normals();
+    return result;
+  }
+};
+
+struct WhiteNoiseRandomWalkByHand {
+  WhiteNoiseByHand white;
+  RandomWalkByHand walk;
+
+  explicit WhiteNoiseRandomWalkByHand(StreamKey sensor) : white(sensor), walk(sensor) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) { return walk(white(v)); }
+};
+
+constexpr double deviation = 0.1, correlation_time = 100;
+
+struct GaussMarkovByHand {
+  Normals normals;
+  double forget, step;
+  Vector bias;
+
+  explicit GaussMarkovByHand(StreamKey sensor) : normals(sensor / "Gauss-Markov" / 0) {
+    const double h = 1 / rate() / correlation_time;
+    forget = -std::expm1(-h);
+    step = deviation * std::sqrt(-std::expm1(-2 * h));
+    bias = deviation * normals();
+  }
+  [[gnu::always_inline]] Vector operator()(const Vector& v) {
+    const Vector result = v + bias;
+    bias += step * normals() - forget * bias;
+    return result;
+  }
+};
+
+/// A vector that is unknown while compiling.
+Vector opaque(double x, double y, double z) { return Vector(x, y, z) * (rate() / 200); }
+
+struct ConstantBiasByHand {
+  Vector bias = opaque(0.1, 0.2, 0.3);
+
+  explicit ConstantBiasByHand(StreamKey) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) { return v + bias; }
+};
+
+Eigen::Matrix3d misalignment() {
+  return (Eigen::Matrix3d() << opaque(1.01, 0.02, 0.03), opaque(0, 0.99, 0.01), opaque(0.04, 0, 1.02)).finished();
+}
+
+struct MisalignmentByHand {
+  Eigen::Matrix3d matrix = misalignment();
+
+  explicit MisalignmentByHand(StreamKey) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) { return matrix * v; }
+};
+
+struct SaturationByHand {
+  Vector limit = opaque(1.5, 2, 2.5);
+
+  explicit SaturationByHand(StreamKey) {}
+  [[gnu::always_inline]] Vector operator()(const Vector& v) {
+    return {std::clamp(v.x(), -limit.x(), limit.x()), std::clamp(v.y(), -limit.y(), limit.y()),
+            std::clamp(v.z(), -limit.z(), limit.z())};
+  }
+};
+
+struct Loop {
+  std::string name;
+  std::function<void(std::size_t calls, Sums& sums)> run;
+
+  [[nodiscard]] Sums sums(std::size_t calls) const {
+    Sums result;
+    for (; calls > 0; calls -= std::min(calls, longest_run)) run(std::min(calls, longest_run), result);
+    return result;
+  }
+  [[nodiscard]] benchmark::Kernel kernel() const {
+    return {name, [loop = *this](std::size_t calls) { benchmark::keep(loop.sums(calls)); }};
+  }
+};
+
+struct Pair {
+  Loop library, by_hand;
+};
+
+template <typename ByHand>
+void add_pairs(std::vector<Pair>& pairs, const std::string& name, const auto& model) {
+  pairs.push_back({{"apply_" + name, [model](std::size_t n, Sums& s) { apply_model(model, n, s); }},
+                   {"apply_" + name + "_by_hand", [](std::size_t n, Sums& s) { apply_by_hand<ByHand>(n, s); }}});
+  pairs.push_back({{"simulate_" + name, [model](std::size_t n, Sums& s) { simulate_model(model, n, s); }},
+                   {"simulate_" + name + "_by_hand", [](std::size_t n, Sums& s) { simulate_by_hand<ByHand>(n, s); }}});
+}
+
+const std::vector<Pair>& pairs() {
+  static const std::vector<Pair> the = [] {
+    std::vector<Pair> all;
+    add_pairs<NoErrorsByHand>(all, "no_errors", ErrorModel{});
+    add_pairs<ConstantBiasByHand>(all, "constant_bias", ErrorModel{ConstantBias{opaque(0.1, 0.2, 0.3)}});
+    add_pairs<MisalignmentByHand>(all, "misalignment", ErrorModel{Misalignment{misalignment()}});
+    add_pairs<SaturationByHand>(all, "saturation", ErrorModel{Saturation{opaque(1.5, 2, 2.5)}});
+    add_pairs<WhiteNoiseByHand>(all, "white_noise", ErrorModel{WhiteNoise{density}});
+    add_pairs<RandomWalkByHand>(all, "random_walk", ErrorModel{RandomWalk{density}});
+    add_pairs<GaussMarkovByHand>(all, "gauss_markov", ErrorModel{GaussMarkov{deviation, correlation_time}});
+    add_pairs<WhiteNoiseRandomWalkByHand>(all, "white_noise_random_walk",
+                                          ErrorModel{WhiteNoise{density}, RandomWalk{density}});
+    return all;
+  }();
+  return the;
+}
+
+/// Terms that nobody would write by hand: their costs alone.
+std::vector<Loop> further_terms() {
+  std::vector<Loop> loops;
+  const auto add = [&](const std::string& name, const auto& term) {
+    loops.push_back(
+        {"apply_" + name, [model = ErrorModel{term}](std::size_t n, Sums& s) { apply_model(model, n, s); }});
+  };
+  add("turn_on_bias", TurnOnBias{0.1});
+  add("rate_ramp", RateRamp{0.001});
+  add("bias_instability", BiasInstability{0.1});
+  add("scale_factor", ScaleFactor{0.01});
+  add("g_sensitivity", GSensitivity{misalignment()});
+  add("quantization", Quantization{0.001});
+  add("quantization_noise", QuantizationNoise{0.001});
+  add("first_order_bandwidth", FirstOrderBandwidth{50.0});
+  add("second_order_bandwidth", SecondOrderBandwidth{50.0, 0.7});
+  add("sinusoidal_vibration", SinusoidalVibration{0.1, 30.0});
+  add("random_vibration", RandomVibration{0.1, 30.0, 0.1});
+  return loops;
+}
+
+/// Whether library and hand come to the same sums: to the last bit, or to rounding, since compilers contract a·b + c as
+/// they like.
+bool same_sums() {
+  constexpr std::size_t calls = 3000;
+  bool same = true;
+  for (const auto& [library, by_hand] : pairs()) {
+    const Sums a = library.sums(calls), b = by_hand.sums(calls);
+    const double difference = (a.gyro - b.gyro).norm() + (a.accel - b.accel).norm();
+    if (difference <= 1e-12 * calls) continue;
+    std::fprintf(stderr, "%s: its sums differ by %g from those by hand\n", library.name.c_str(), difference);
+    same = false;
+  }
+  return same;
+}
+
+// A full sensor: six axes, each with white noise and a random walk, twelve normal numbers a sample.
+
+void full_sensor(std::size_t calls) {
+  const ErrorModel model{WhiteNoise{density}, RandomWalk{density}};
+  auto gyro_state = model.start(run_key / "gyro"), accel_state = model.start(run_key / "accel");
+  const double interval = 1 / rate();
+  const Vector* measurements = workload().measurements.data();
+  Sums sums;
+  for (std::size_t i = 0; i < calls; ++i) {
+    const Vector& x = measurements[i % 4096];
+    Sample<double> gyro{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval, {x, x}}, accel = gyro;
+    model.apply(gyro, gyro_state);
+    model.apply(accel, accel_state);
+    sums.gyro += gyro.value;
+    sums.accel += accel.value;
+  }
+  benchmark::keep(sums);
+}
+
+void full_sensor_with_std(std::size_t calls) {
+  std::mt19937_64 bits(1);
+  std::normal_distribution<double> normal;
+  const double white = density * std::sqrt(rate()), walk = density / std::sqrt(rate());
+  const Vector* measurements = workload().measurements.data();
+  Sums sums, bias;
+  const auto axis = [&](double x, double& b) {
+    const double result = x + white * normal(bits) + b;
+    b += walk * normal(bits);
+    return result;
+  };
+  for (std::size_t i = 0; i < calls; ++i) {
+    const Vector& x = measurements[i % 4096];
+    for (int k = 0; k < 3; ++k) sums.gyro[k] += axis(x[k], bias.gyro[k]);
+    for (int k = 0; k < 3; ++k) sums.accel[k] += axis(x[k], bias.accel[k]);
+  }
+  benchmark::keep(sums);
+}
+
+void twelve_normals(std::size_t calls) {
+  Normals a(run_key / 0), b(run_key / 1), c(run_key / 2), d(run_key / 3);
+  Sums sums;
+  for (std::size_t i = 0; i < calls; ++i) {
+    sums.gyro += a() + b();
+    sums.accel += c() + d();
+  }
+  benchmark::keep(sums);
+}
+
+void print_speeds(bool csv, std::size_t calls) {
+  const auto times = benchmark::measure_in_turn({{"full_sensor", full_sensor},
+                                                 {"full_sensor_with_std", full_sensor_with_std},
+                                                 {"twelve_normals", twelve_normals},
+                                                 {"simulate", pairs().back().library.kernel().run}},
+                                                calls);
+  const auto &library = times[0], &with_std = times[1], &normals = times[2], &whole = times[3];
+  const auto line = [&](const char* name, const char* text, double value, double median, const char* unit) {
+    benchmark::figure(csv, name, value, unit);
+    benchmark::figure(csv, std::string(name) + "_median", median, unit);
+    if (!csv) std::printf("%-62s %10.3g, median %.3g\n", text, value, median);
+  };
+  if (!csv) std::printf("\nA full sensor: six axes, white noise and random walk, twelve normal numbers a sample\n");
+  line("samples_per_second", "samples a second", 1e9 / library.min, 1e9 / library.median, "1/s");
+  line("std_samples_per_second", "the same loop with std::mt19937_64 and normal_distribution", 1e9 / with_std.min,
+       1e9 / with_std.median, "1/s");
+  line("simulate_samples_per_second", "simulate() with it on a spline", 1e9 / whole.min, 1e9 / whole.median, "1/s");
+  line("speedup_vs_std", "times as fast as with <random>", with_std.min / library.min, with_std.median / library.median,
+       "1");
+  line("fraction_of_normals_bound", "speed over that of drawing the normal numbers alone", normals.min / library.min,
+       normals.median / library.median, "1");
+}
+
+/// Peak resident memory of a process that makes so many samples, KiB.
+long peak_memory(double samples) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    const ErrorModel model{WhiteNoise{density}, RandomWalk{density}};
+    Vector sum = Vector::Zero();
+    for (const auto& r : simulate(at_rest(SO3xR3<double>{}), Imu{model, model},
+                                  {.rate = rate(), .start = 0.0, .end = (samples - 0.5) / rate()})) {
+      sum += r.gyro + r.accel;
+    }
+    benchmark::keep(sum);
+    _exit(0);
+  }
+  rusage usage{};
+  int status = 0;
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) return -1;
+  return usage.ru_maxrss;
+}
+
+void print_memory(bool csv, bool long_run) {
+  if (!csv) std::printf("\nPeak memory of a process that iterates simulate() at rest\n");
+  for (const auto& [name, samples] : {std::pair("1e3", 1e3), std::pair("1e6", 1e6), std::pair("1e8", 1e8)}) {
+    if (samples > 1e6 && !long_run) continue;
+    const auto memory = static_cast<double>(peak_memory(samples));
+    benchmark::figure(csv, std::string("peak_memory_") + name + "_samples", memory, "KiB");
+    if (!csv) std::printf("%s samples %8.0f KiB\n", name, memory);
+  }
+}
+
+/// Compares the instructions of all pairs. Returns the exit code.
+int check_overhead() {
+  // What the library may have more: this part, or a few instructions of a short loop.
+  constexpr double noise = 0.001, few = 4;
+#ifdef __clang__
+  constexpr double of_simulate = 0.08, of_no_errors = 0.04;  // clang++-14 moves more between registers and the stack
+#else
+  constexpr double of_simulate = 0.02, of_no_errors = noise;
+#endif
+  const auto counted = benchmark::count("_");
+  if (!counted || counted->size() < 2 * pairs().size()) {
+    std::printf("skipped: instructions were not counted, because valgrind is missing or failed\n");
+    return 0;
+  }
+  bool good = true;
+  std::printf("%-36s %10s %10s %10s\n", "instructions a sample", "library", "by hand", "");
+  for (std::size_t k = 0; k < pairs().size(); ++k) {
+    const std::string& name = pairs()[k].library.name;
+    const double library = (*counted)[2 * k], by_hand = (*counted)[2 * k + 1];
+    const double more = library - by_hand;
+    bool passes;
+    if (name == "simulate_no_errors") {
+      passes = more <= of_no_errors * by_hand;
+    } else if (name == "apply_no_errors") {
+      passes = more <= noise * by_hand;
+    } else if (name.starts_with("simulate_")) {
+      passes = more <= of_simulate * by_hand;
+    } else {
+      passes = more <= std::max(0.02 * by_hand, by_hand < 150 ? few : 0);
+    }
+    std::printf("%-36s %10.1f %10.1f %+8.1f %% %s\n", name.c_str(), library, by_hand, 100 * (library / by_hand - 1),
+                passes ? "" : "FAILED");
+    good = good && passes;
+  }
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<benchmark::Kernel> kernels;
+  for (const auto& [library, by_hand] : pairs()) {
+    kernels.push_back(library.kernel());
+    kernels.push_back(by_hand.kernel());
+  }
+  for (const Loop& loop : further_terms()) kernels.push_back(loop.kernel());
+  curve();
+
+  bool check = false, long_run = false;
+  return benchmark::run(
+      argc, argv, "Costs of sensor errors.", kernels,
+      {.options =
+           [&](CLI::App& app) {
+             app.add_flag(
+                 "--check-overhead", check,
+                 "only compare instructions with those of loops by hand (needs valgrind); exit code 1 if there "
+                 "are more");
+             app.add_flag("--memory", long_run, "memory of a run of 1e8 samples, too");
+           },
+       .instead = [&]() -> std::optional<int> {
+         if (!same_sums()) return 1;
+         if (check) return check_overhead();
+         return std::nullopt;
+       },
+       .figures =
+           [&](bool csv, std::size_t calls) {
+             print_speeds(csv, calls);
+             print_memory(csv, long_run);
+           }});
+}

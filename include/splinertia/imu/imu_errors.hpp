@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <splinertia/imu/imu.hpp>
+#include <splinertia/imu/stamp.hpp>
+#include <splinertia/time.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace splinertia {
+
+/// Puts the errors of an IMU into measurements that a perfect one has made, one after the other: one run of one IMU.
+/// simulate() does this along a motion; this is for measurements that come from elsewhere, at any times.
+///
+///   ImuErrors<decltype(imu), double, double> errors(imu, StreamKey(seed));
+///   ImuReading reading;
+///   if (errors.apply(time, ideal, interval, reading)) …
+template <typename Sensors, typename Scalar, TimePoint Time, BitGenerator Generator = Xoshiro256>
+class ImuErrors {
+  static constexpr bool has_stamps = !std::is_same_v<decltype(Sensors::stamps), ErrorModel<>>;
+
+ public:
+  using Reading = std::conditional_t<has_stamps, StampedImuReading<Scalar, Time>, BasicImuReading<Scalar, Time>>;
+
+  /// `run` names the random numbers: StreamKey(seed), or part of one where a run has several IMUs.
+  [[gnu::always_inline]] ImuErrors(const Sensors& imu, StreamKey run)
+      : ImuErrors(imu, imu.gyro.template start<Generator>(run / "gyro"),
+                  imu.accel.template start<Generator>(run / "accel"),
+                  imu.stamps.template start<Generator>(run / "stamps")) {}
+
+  /// Makes the reading of a measurement taken at `time`, `interval` s after the one before it (for the first: the
+  /// sampling interval). False where it is dropped; then `reading` is left as it was. Stamps increase strictly: one
+  /// that jitter would put before the last one is right after that. Requires interval > 0.
+  [[gnu::always_inline]] bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
+                                    Reading& reading) {
+    const bool first = first_;
+    if (first) start_ = time;
+    first_ = false;
+    const Scalar elapsed = seconds<Scalar>(time - start_);
+    Sample<Scalar> gyro{ideal.gyro, Vector3<Scalar>::Zero(), interval, first, elapsed, ideal};
+    Sample<Scalar> accel{ideal.accel, Vector3<Scalar>::Zero(), interval, first, elapsed, ideal};
+    imu_.gyro.apply(gyro, gyro_);
+    imu_.accel.apply(accel, accel_);
+    Time stamped = time;
+    if constexpr (has_stamps) {
+      Stamp<Scalar> stamp{Scalar(0), false, interval, first, elapsed};
+      imu_.stamps.apply(stamp, stamps_);
+      if (stamp.dropped) return false;
+      stamped = after(time, static_cast<double>(stamp.offset));
+      if (last_stamp_) stamped = std::max(stamped, next_time(*last_stamp_));
+      last_stamp_ = stamped;
+      reading.true_time = time;
+    }
+    reading.time = stamped;
+    reading.gyro = gyro.value;
+    reading.accel = accel.value;
+    reading.gyro_bias = gyro.bias;
+    reading.accel_bias = accel.bias;
+    return true;
+  }
+
+ private:
+  template <typename Model>
+  using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
+  using GyroState = StateOfModel<decltype(Sensors::gyro)>;
+  using AccelState = StateOfModel<decltype(Sensors::accel)>;
+  using StampsState = StateOfModel<decltype(Sensors::stamps)>;
+  struct Nothing {};
+
+  // States are moved in, not made in place: what a function that is not inlined has had the address of can no longer be
+  // kept in registers.
+  [[gnu::always_inline]] ImuErrors(const Sensors& imu, GyroState gyro, AccelState accel, StampsState stamps)
+      : imu_(imu), gyro_(std::move(gyro)), accel_(std::move(accel)), stamps_(std::move(stamps)) {}
+
+  [[no_unique_address]] Sensors imu_;
+  [[no_unique_address]] GyroState gyro_;
+  [[no_unique_address]] AccelState accel_;
+  [[no_unique_address]] StampsState stamps_;
+  [[no_unique_address]] std::conditional_t<has_stamps, std::optional<Time>, Nothing> last_stamp_{};
+  Time start_{};
+  bool first_ = true;
+};
+
+}  // namespace splinertia

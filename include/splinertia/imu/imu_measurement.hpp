@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/group/lie_group.hpp>
+
+namespace splinertia {
+
+/// One measurement of both sensors, in the IMU's axes.
+template <typename Scalar>
+struct ImuMeasurement {
+  Vector3<Scalar> gyro;   ///< angular velocity, rad/s
+  Vector3<Scalar> accel;  ///< specific force, m/s²
+};
+
+}  // namespace splinertia

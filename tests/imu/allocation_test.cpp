@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// A run of any length with every error term allocates nothing: counted in operator new, and refused by Eigen.
+#define EIGEN_RUNTIME_NO_MALLOC
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <splinertia/imu/bias_instability.hpp>
+#include <splinertia/imu/clock_drift.hpp>
+#include <splinertia/imu/clock_offset.hpp>
+#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/imu/dropped_samples.hpp>
+#include <splinertia/imu/first_order_bandwidth.hpp>
+#include <splinertia/imu/g_sensitivity.hpp>
+#include <splinertia/imu/gauss_markov.hpp>
+#include <splinertia/imu/misalignment.hpp>
+#include <splinertia/imu/quantization.hpp>
+#include <splinertia/imu/quantization_noise.hpp>
+#include <splinertia/imu/random_vibration.hpp>
+#include <splinertia/imu/random_walk.hpp>
+#include <splinertia/imu/rate_ramp.hpp>
+#include <splinertia/imu/saturation.hpp>
+#include <splinertia/imu/scale_factor.hpp>
+#include <splinertia/imu/second_order_bandwidth.hpp>
+#include <splinertia/imu/simulate.hpp>
+#include <splinertia/imu/sinusoidal_vibration.hpp>
+#include <splinertia/imu/stamp_jitter.hpp>
+#include <splinertia/imu/temperature_bias.hpp>
+#include <splinertia/imu/temperature_scale.hpp>
+#include <splinertia/imu/turn_on_bias.hpp>
+#include <splinertia/imu/white_noise.hpp>
+#include <splinertia/motion/constant_twist.hpp>
+#include <splinertia/motion/ellipse.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace splinertia;
+
+namespace {
+
+/// Every term there is.
+const ErrorModel gyro{ConstantBias{0.1},
+                      TurnOnBias{0.1},
+                      RandomWalk{1e-3},
+                      GaussMarkov{0.01, 100},
+                      BiasInstability{1e-3},
+                      RateRamp{1e-5},
+                      TemperatureBias{1e-4, WarmUp{20, 60, 300}},
+                      TemperatureScale{1e-4, [](double elapsed) { return 20 + elapsed / 1000; }},
+                      ScaleFactor{0.01},
+                      Misalignment{Eigen::Matrix3d{{1, 0.01, 0}, {0, 1, 0.01}, {0, 0, 1}}},
+                      GSensitivity{Eigen::Matrix3d{{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}}},
+                      SinusoidalVibration{0.1, 120},
+                      RandomVibration{0.1, 70, 0.05},
+                      FirstOrderBandwidth{80},
+                      SecondOrderBandwidth{150, 0.7},
+                      WhiteNoise{0.01},
+                      QuantizationNoise{1e-5},
+                      Quantization{1e-3},
+                      Saturation{35}};
+const ErrorModel accel = gyro.with(ConstantBias{1});
+const ErrorModel stamps{ClockOffset{0.003}, ClockDrift{2e-5}, StampJitter{1e-4}, DroppedSamples{0.01}};
+const Imu everything{gyro, accel, stamps};
+
+/// What a run from 0 to `duration` allocates, from its beginning to its end, with `count` of samples that arrived.
+std::size_t allocations_of(const auto& motion, const auto& imu, double duration, std::size_t& count) {
+  Eigen::internal::set_is_malloc_allowed(false);
+  const std::size_t before = allocations;
+  double sum = 0;
+  for (const auto& r : simulate(motion, imu, {.rate = 1000, .seed = 1, .start = 0.0, .end = duration})) {
+    sum += r.gyro.norm() + r.accel.norm() + r.gyro_bias.norm() + r.accel_bias.norm() + r.time;
+    ++count;
+  }
+  const std::size_t after = allocations;
+  Eigen::internal::set_is_malloc_allowed(true);
+  CHECK(sum > 0);
+  return after - before;
+}
+
+}  // namespace
+
+TEST_CASE("A run with every error term allocates nothing") {
+  CHECK(allocations > 0);  // the counter counts
+  std::size_t count = 0;
+  CHECK(allocations_of(Ellipse<>{}, everything, 20, count) == 0);
+  CHECK(count > 19'600);
+  CHECK(count < 20'000);
+}
+
+TEST_CASE("A million samples allocate nothing either") {
+  std::size_t count = 0;
+  const ErrorModel noise{RandomWalk{1e-3}, WhiteNoise{0.01}};
+  CHECK(allocations_of(at_rest(SO3xR3<double>{}), Imu{noise, noise}, 1000, count) == 0);
+  CHECK(count == 1'000'001);
+}
+
+TEST_CASE("What a run holds does not depend on its length, and is little") {
+  const auto rest = at_rest(SO3xR3<double>{});
+  using Ideal = decltype(simulate(rest, Imu{}));
+  STATIC_CHECK(sizeof(Ideal::Iterator) < 256);
+  STATIC_CHECK(sizeof(decltype(simulate(rest, everything))::Iterator) < 16384);
+}

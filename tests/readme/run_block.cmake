@@ -1,0 +1,23 @@
+# Runs PROGRAM, made of the block of a page in SOURCE. If any line there that prints ends in a comment, the comments
+# must be what is printed, line by line.
+cmake_minimum_required(VERSION 3.22)
+execute_process(COMMAND "${PROGRAM}" RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE errors)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "${PROGRAM}: exit code ${result}, printed\n${printed}${errors}")
+endif()
+
+file(READ "${SOURCE}" source)
+set(expected "")
+while(NOT source STREQUAL "")
+  string(FIND "${source}" "\n" length)
+  string(SUBSTRING "${source}" 0 ${length} line)
+  math(EXPR rest "${length} + 1")
+  string(SUBSTRING "${source}" ${rest} -1 source)
+  if(line MATCHES "printf[(].*[)]; +// (.*)$")
+    string(APPEND expected "${CMAKE_MATCH_1}\n")
+  endif()
+endwhile()
+if(NOT expected STREQUAL "" AND NOT printed STREQUAL expected)
+  message(FATAL_ERROR "the comments of ${SOURCE} say\n${expected}but it printed\n${printed}")
+endif()
+message("${printed}")
