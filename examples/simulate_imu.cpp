@@ -17,6 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "support/any_error_model.hpp"
+#include "support/error_yaml.hpp"
+#include "support/kalibr.hpp"
 #include "support/progress.hpp"
 
 using namespace splinertia;
@@ -28,9 +31,10 @@ struct Options {
   std::filesystem::path trajectory;  // empty: an analytic motion
   std::string motion = "ellipse";
   double duration = 20;
-  double rate = 200;
-  double gyro_noise = 0.015, gyro_walk = 5e-5;
-  double accel_noise = 0.019, accel_walk = 5e-4;
+  std::optional<double> rate;  // default: that of the Kalibr file, else 200
+  std::string preset = "course";
+  std::filesystem::path errors, kalibr;
+  std::optional<double> gyro_noise, gyro_walk, accel_noise, accel_walk;
   std::vector<double> gravity{0, 0, -9.80665};
   std::uint64_t seed = 0;
   std::string group = "split";
@@ -38,13 +42,14 @@ struct Options {
   double knot_interval = 0.05;
   std::filesystem::path output = ".";
   std::filesystem::path csv;
+  bool help_errors = false;
 
   Eigen::Vector3d gravity_vector() const {
     return gravity.size() == 1 ? Eigen::Vector3d(0, 0, -gravity[0]) : Eigen::Vector3d(gravity.data());
   }
 };
 
-struct ErrorStatistics {
+struct RunningError {
   double squares = 0, largest = 0, last = 0;
   std::size_t count = 0;
 
@@ -58,21 +63,24 @@ struct ErrorStatistics {
 };
 
 /// Integrates samples as they come and compares with the truth.
-template <typename Scheme, typename Reading, typename Time>
+template <typename Scheme, typename Time>
 struct DeadReckoning {
   const char* imu;
   const char* scheme;
   Eigen::Vector3d gravity;
-  ErrorStatistics position{}, attitude{};  // m, deg
-  std::optional<NavState<double, Time>> state{};
-  std::optional<Reading> previous{};
+  RunningError position{}, attitude{};  // m, deg
+  std::optional<Integrator<Scheme, double, Time>> integrator{};
 
-  void add(const Reading& sample, const NavState<double, Time>& truth) {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    state = state ? Scheme::step(*state, *previous, sample, gravity) : truth;
-    previous = sample;
-    position.add((state->p_WB - truth.p_WB).norm());
-    attitude.add(increment(truth.R_WB, state->R_WB).norm() / degree);
+  void add(const auto& sample, const NavState<double, Time>& truth) {
+    if (!integrator) {
+      auto initial = truth;
+      initial.time = sample.time;  // the IMU's clock is all that it has
+      integrator.emplace(initial, gravity);
+    }
+    integrator->push(sample);
+    const NavState<double, Time>& state = integrator->state();
+    position.add((state.p_WB - truth.p_WB).norm());
+    attitude.add(increment(truth.R_WB, state.R_WB).norm() / units::degree);
   }
 };
 
@@ -103,25 +111,62 @@ void write_table(AtomicFile& file, const auto&... runs) {
   file.commit();
 }
 
+const std::map<std::string, AnyImu>& preset_imus() {
+  static const std::map<std::string, AnyImu> table{{"course", any_imu(presets::course)},
+                                                   {"course-quiet", any_imu(presets::course_quiet)},
+                                                   {"mpu6050", any_imu(presets::mpu6050)},
+                                                   {"adis16448", any_imu(presets::adis16448)},
+                                                   {"stim300", any_imu(presets::stim300)},
+                                                   {"euroc", any_imu(presets::euroc)},
+                                                   {"ideal", any_imu(Imu<>{})}};
+  return table;
+}
+
+/// What the simulated IMU does wrong, and its rate.
+struct Sensor {
+  AnyImu errors;
+  double rate = 200;
+};
+
+Sensor sensor_of(const Options& o) {
+  Sensor sensor;
+  if (!o.errors.empty()) {
+    sensor.errors = read_error_yaml(o.errors);
+  } else if (!o.kalibr.empty()) {
+    const KalibrImu imu = read_kalibr(o.kalibr);
+    sensor.errors = errors_of(imu);
+    sensor.rate = imu.update_rate;
+  } else {
+    sensor.errors = preset_imus().at(o.preset);
+  }
+  // A noise given by hand replaces those of its kind.
+  const auto replace = [](AnySensorModel& model, const auto& density, auto make) {
+    if (density) model.replace(make(*density));
+  };
+  const auto walk = [](double density) { return RandomWalk{density}; };
+  const auto noise = [](double density) { return WhiteNoise{density}; };
+  replace(sensor.errors.gyro, o.gyro_walk, walk);
+  replace(sensor.errors.gyro, o.gyro_noise, noise);
+  replace(sensor.errors.accel, o.accel_walk, walk);
+  replace(sensor.errors.accel, o.accel_noise, noise);
+  if (o.rate) sensor.rate = *o.rate;
+  return sensor;
+}
+
 /// Simulates along `truth`, writes the files and prints how well the samples integrate back.
 template <typename Curve>
 void simulate_along(const Curve& truth, const Options& o, typename Simulation<const Curve&, Imu<>>::Options run) {
   using Time = typename Curve::Time;
-  using Reading = BasicImuReading<double, Time>;
-  run.rate = o.rate;
+  const Sensor sensor = sensor_of(o);
+  run.rate = sensor.rate;
   run.seed = o.seed;
   run.gravity = o.gravity_vector();
-  const Imu noisy_imu{ErrorModel{WhiteNoise{o.gyro_noise}, RandomWalk{o.gyro_walk}},
-                      ErrorModel{WhiteNoise{o.accel_noise}, RandomWalk{o.accel_walk}}};
-  const auto ideal = simulate(truth, Imu{ErrorModel{}, ErrorModel{}}, run);
-  const auto noisy = simulate(truth, noisy_imu, run);
+  const auto ideal = simulate(truth, Imu{}, run);
+  const auto noisy = simulate(truth, sensor.errors, run);
   const double duration = seconds<double>(noisy.time(noisy.size() - 1) - noisy.time(0));
-  std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", noisy.size(), o.rate, duration,
+  std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", noisy.size(), run.rate, duration,
               static_cast<unsigned long long>(o.seed));
-  std::printf("     gyro   white noise %g rad/s/sqrt(Hz), random walk %g rad/s^2/sqrt(Hz)\n", o.gyro_noise,
-              o.gyro_walk);
-  std::printf("     accel  white noise %g m/s^2/sqrt(Hz), random walk %g m/s^3/sqrt(Hz)\n", o.accel_noise,
-              o.accel_walk);
+  std::fputs(describe(sensor.errors).c_str(), stdout);
 
   std::error_code error;
   std::filesystem::create_directories(o.output, error);
@@ -129,34 +174,44 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   EurocImuWriter imu_csv(o.output / "imu.csv");
   EurocGroundtruthWriter groundtruth_csv(o.output / "groundtruth.csv");
   TumWriter poses_tum(o.output / "poses.tum");
-  std::optional<AtomicFile> table_csv;
+  std::optional<AtomicFile> table_csv, imu_yaml;
   if (!o.csv.empty()) table_csv.emplace(o.csv);
-
-  DeadReckoning<Euler, Reading, Time> ideal_euler{"ideal", "Euler", run.gravity},
-      noisy_euler{"noisy", "Euler", run.gravity};
-  DeadReckoning<Midpoint, Reading, Time> ideal_midpoint{"ideal", "Midpoint", run.gravity};
-  DeadReckoning<Midpoint, Reading, Time> noisy_midpoint{"noisy", "Midpoint", run.gravity};
-  Progress progress(noisy.size());
-  auto ideal_reading = ideal.begin();
-  for (const Reading& reading : noisy) {
-    const auto state = nav_state(truth.template evaluate<1>(reading.time), reading.time);
-    ideal_euler.add(*ideal_reading, state);
-    ideal_midpoint.add(*ideal_reading, state);
-    noisy_euler.add(reading, state);
-    noisy_midpoint.add(reading, state);
-    ++ideal_reading;
-
-    const nanoseconds time = to_nanoseconds(reading.time);
-    const SO3xR3<double> pose{state.R_WB, state.p_WB};
-    imu_csv.append(EurocImu{time, reading.gyro, reading.accel});
-    groundtruth_csv.append(EurocState{time, pose, state.v_WB, reading.gyro_bias, reading.accel_bias});
-    poses_tum.append(Stamped<SO3xR3<double>>{time, pose});
-    progress.advance();
+  if (const auto noise = kalibr_noise(sensor.errors, run.rate)) {
+    imu_yaml.emplace(o.output / "imu.yaml");
+    imu_yaml->append(kalibr_text(*noise));
   }
+
+  DeadReckoning<Euler, Time> ideal_euler{"ideal", "Euler", run.gravity};
+  DeadReckoning<Midpoint, Time> ideal_midpoint{"ideal", "Midpoint", run.gravity};
+  DeadReckoning<Euler, Time> noisy_euler{"noisy", "Euler", run.gravity};
+  DeadReckoning<Midpoint, Time> noisy_midpoint{"noisy", "Midpoint", run.gravity};
+  Progress progress(noisy.size());
+  std::size_t lost = noisy.size();
+  auto reading = noisy.begin();
+  for (const auto& ideal_reading : ideal) {
+    progress.advance();
+    const auto state = nav_state(truth.template evaluate<1>(ideal_reading.time), ideal_reading.time);
+    ideal_euler.add(ideal_reading, state);
+    ideal_midpoint.add(ideal_reading, state);
+    if (reading == noisy.end() || reading->true_time != ideal_reading.time) continue;  // this one was dropped
+    noisy_euler.add(*reading, state);
+    noisy_midpoint.add(*reading, state);
+
+    const nanoseconds time = to_nanoseconds(ideal_reading.time);
+    const SO3xR3<double> pose{state.R_WB, state.p_WB};
+    imu_csv.append(EurocImu{to_nanoseconds(reading->time), reading->gyro, reading->accel});
+    groundtruth_csv.append(EurocState{time, pose, state.v_WB, reading->gyro_bias, reading->accel_bias});
+    poses_tum.append(Stamped<SO3xR3<double>>{time, pose});
+    ++reading;
+    --lost;
+  }
+  if (lost > 0) std::printf("%zu samples were dropped\n", lost);
   imu_csv.commit();
   groundtruth_csv.commit();
   poses_tum.commit();
-  std::printf("wrote imu.csv, groundtruth.csv and poses.tum to %s\n", o.output.string().c_str());
+  if (imu_yaml) imu_yaml->commit();
+  std::printf("wrote imu.csv, groundtruth.csv%s poses.tum%s to %s\n", imu_yaml ? "," : " and",
+              imu_yaml ? " and imu.yaml" : "", o.output.string().c_str());
   print_table(ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
   if (table_csv) write_table(*table_csv, ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
 }
@@ -190,7 +245,7 @@ Spline<G, Order, UniformKnots<nanoseconds>> resample(const Poses& poses, const O
 template <Pose G, int Order>
 void simulate_poses(const Poses& poses, const Options& o) {
   const auto curve = resample<G, Order>(poses, o);
-  ErrorStatistics distance;
+  RunningError distance;
   nanoseconds longest_gap{0};
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i > 0) longest_gap = std::max(longest_gap, poses[i].time - poses[i - 1].time);
@@ -245,11 +300,17 @@ void add_options(CLI::App& app, Options& o) {
       ->excludes(trajectory)
       ->capture_default_str();
   app.add_option("--duration", o.duration, "of an analytic motion [s]")->excludes(trajectory)->capture_default_str();
-  app.add_option("--rate", o.rate, "IMU samples a second [Hz]")->capture_default_str();
-  app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)]")->capture_default_str();
-  app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)]")->capture_default_str();
-  app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)]")->capture_default_str();
-  app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)]")->capture_default_str();
+  app.add_option("--rate", o.rate, "IMU samples a second [Hz]; default: that of the Kalibr file, else 200");
+  auto* preset =
+      app.add_option("--preset", o.preset, "a known IMU")->check(CLI::IsMember(preset_imus()))->capture_default_str();
+  auto* errors = app.add_option("--errors", o.errors, "YAML file that lists its errors, see --help-errors");
+  auto* kalibr = app.add_option("--kalibr", o.kalibr, "Kalibr imu.yaml with its noise and rate");
+  preset->excludes(errors)->excludes(kalibr);
+  errors->excludes(kalibr);
+  app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)], in place of that of the above");
+  app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)], likewise");
+  app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)], likewise");
+  app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)], likewise");
   app.add_option("--gravity", o.gravity,
                  "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
       ->expected(1, 3)
@@ -266,9 +327,11 @@ void add_options(CLI::App& app, Options& o) {
       ->needs(trajectory)
       ->capture_default_str();
   app.add_option("--knot-interval", o.knot_interval, "of that spline [s]")->needs(trajectory)->capture_default_str();
-  app.add_option("-o,--output", o.output, "folder for imu.csv, groundtruth.csv (EuRoC) and poses.tum (TUM)")
+  app.add_option("-o,--output", o.output,
+                 "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM) and imu.yaml (Kalibr)")
       ->capture_default_str();
   app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
+  app.add_flag("--help-errors", o.help_errors, "say what a file for --errors can hold, and exit");
 }
 
 void check(const Options& o) {
@@ -293,6 +356,10 @@ int main(int argc, char** argv) {
   add_options(app, options);
   try {
     app.parse(argc, argv);
+    if (options.help_errors) {
+      std::fputs(error_yaml_help().c_str(), stdout);
+      return 0;
+    }
     check(options);
     options.trajectory.empty() ? simulate_analytic(options) : simulate_file(options);
   } catch (const CLI::ParseError& error) {

@@ -12,8 +12,8 @@ function(expect_equal got expected)
   endif()
 endfunction()
 
-# The main job on the ellipse. Euler is off by 0.392 m and midpoint by 0.00074 m, from exact samples.
-run(0 "ideal  Euler +0[.]392 .*ideal  Midpoint +0[.]00074.*noisy  Euler .*noisy  Midpoint" --output "${out}" --csv "${out}/table.csv")
+# The main job on the ellipse. Euler is off by 0.392 m and midpoint by 0.00067 m, from exact samples.
+run(0 "ideal  Euler +0[.]392 .*ideal  Midpoint +0[.]00067.*noisy  Euler .*noisy  Midpoint" --output "${out}" --csv "${out}/table.csv")
 file(STRINGS "${out}/imu.csv" imu)
 list(LENGTH imu lines)
 expect_equal(${lines} 4002)   # the header and both ends of 20 s at 200 Hz
@@ -59,6 +59,100 @@ endforeach()
 
 run(0 "Usage:.*--rate.*--gyro-noise.*--seed" --help)
 
+# The errors of an IMU: known ones, from Kalibr's file, and a list of terms. What is the same makes the same samples.
+foreach(preset IN ITEMS course course-quiet mpu6050 adis16448 stim300 euroc ideal)
+  run(0 "noisy  Midpoint +[0-9.e+-]+" --preset ${preset} --duration 2 --output "${out}/${preset}")
+endforeach()
+run(0 "gyro:\n  ideal\naccel:\n  ideal\n.*wrote imu.csv, groundtruth.csv and poses.tum to" --preset ideal --duration 2 --output "${out}/ideal")
+function(expect_same_samples folder)
+  file(SHA256 "${out}/${folder}/imu.csv" samples)
+  expect_equal(${samples} ${first})
+endfunction()
+file(READ "${out}/imu.yaml" kalibr)
+if(NOT kalibr MATCHES "rostopic: /imu0\nupdate_rate: 200 .*accelerometer_noise_density: 0.019 .*accelerometer_random_walk: 0.0005 .*gyroscope_noise_density: 0.015 .*gyroscope_random_walk: 5e-05 ")
+  message(FATAL_ERROR "imu.yaml is\n${kalibr}")
+endif()
+run(0 "4001 samples at 200 Hz" --kalibr "${out}/imu.yaml" --output "${out}/kalibr")
+expect_same_samples(kalibr)
+run(0 "41 samples at 20 Hz" --kalibr "${out}/imu.yaml" --rate 20 --duration 2 --output "${out}/kalibr20")
+file(WRITE "${out}/course.yaml" "gyro: [random_walk: 5e-5, white_noise: 0.015]\naccel:\n  - random_walk: {density: [5e-4, 5e-4, 0.5e-3]}\n  - white_noise: {density: 0.019}\n")
+run(0 "4001 samples at 200 Hz" --errors "${out}/course.yaml" --output "${out}/course_yaml")
+expect_same_samples(course_yaml)
+run(0 "white noise: density 0.015 rad" --preset course-quiet --gyro-noise 0.015 --gyro-walk 5e-5 --accel-noise 0.019 --accel-walk 5e-4
+  --output "${out}/by_hand")
+expect_same_samples(by_hand)
+
+# All that Kalibr writes after a calibration.
+file(WRITE "${out}/calibrated.yaml" "imu0:
+  model: scale-misalignment
+  T_i_b: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+  time_offset: 0.0
+  gyroscope_noise_density: 0.0001
+  gyroscope_random_walk: 1.0e-05
+  accelerometer_noise_density: 0.001
+  accelerometer_random_walk: 0.0002
+  update_rate: 100.0
+  rostopic: /imu
+  accelerometers:
+    M:
+    - [1.01, 0.0, 0.0]
+    - [0.001, 1.0, 0.0]
+    - [0.0, 0.002, 1.0]
+  gyroscopes:
+    A: [[0.001, 0, 0], [0, 0.002, 0], [0, 0, 0.003]]
+    C_gyro_i: [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]
+    M: [[2, 0, 0], [0, 1, 0], [0, 0, 1]]
+")
+run(0 "201 samples at 100 Hz.*misalignment: matrix .0 2 0; -1 0 0; 0 0 1.\n  g-sensitivity: sensitivity .0 0.001 0; -0.002 0 0; 0 0 0.003. rad/s/.m/s.2.\n  random walk: density 1e-05 .*accel:\n  misalignment: matrix .1.01 0 0; 0.001 1 0; 0 0.002 1."
+  --kalibr "${out}/calibrated.yaml" --duration 2 --output "${out}/calibrated")
+
+# Every term that there is, the help says which, in the order of the file.
+run(0 "white_noise: density.*dropped_samples: probability" --help-errors)
+string(REGEX MATCHALL "  [a-z_]+:" terms "${printed}")
+list(LENGTH terms count)
+expect_equal(${count} 23)
+file(WRITE "${out}/all.yaml" "# comments, and the units of data sheets
+gyro:
+  - second_order_bandwidth: {natural_frequency: 80, damping_ratio: 0.7}
+  - first_order_bandwidth: 0.2 kHz
+  - misalignment: {percent: [[0.1, 0.05, 0], [0, 0.1, 0], [0, 0, 0.1]]}
+  - misalignment: {matrix: [[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]}
+  - scale_factor: [0.1 %, 500 ppm, 0]
+  - g_sensitivity: 0.015 deg/s/g
+  - temperature_scale: {coefficient: 40 ppm, initial_temperature: 20, final_temperature: 45, time_constant: 300}
+  - temperature_bias: {coefficient: 0.005 deg/s, initial_temperature: 45, reference_temperature: 20}
+  - constant_bias: [1 deg/s, 0, 0]
+  - turn_on_bias: 0.5 deg/s
+  - random_walk: 5e-5
+  - gauss_markov: {standard_deviation: 1e-3, correlation_time: [100, 100, 0.1 h], initial_value: 0}
+  - bias_instability: {floor: 14.5 deg/h, longest: 1 h}
+  - bias_instability: 1e-4
+  - rate_ramp: 1e-6
+  - sinusoidal_vibration: {amplitude: 0.01, frequency: [30, 30, 60]}
+  - random_vibration: {standard_deviation: 0.01, natural_frequency: 40, damping_ratio: 0.1}
+  - white_noise: 0.66 deg/sqrt(h)
+  - quantization_noise: 1e-6
+  - quantization: 0.04 deg/s
+  - saturation: 1000 deg/s
+stamps:
+  - clock_offset: 3 ms
+  - clock_drift: 20 ppm
+  - stamp_jitter: 0.2 ms
+  - dropped_samples: 0.01
+")
+run(0 "second-order bandwidth: natural frequency 80 Hz, damping ratio 0.7\n  first-order bandwidth: cutoff frequency 200 Hz\n.*saturation: limit 17.45[0-9]* rad/s\naccel:\n  ideal\nstamps:\n  clock offset: offset 0.003 s\n.*\n[2-6][0-9] samples were dropped"
+  --errors "${out}/all.yaml" --output "${out}/all")
+file(STRINGS "${out}/all/imu.csv" imu)
+file(STRINGS "${out}/all/groundtruth.csv" truth)
+list(LENGTH imu samples)
+list(LENGTH truth lines)
+expect_equal(${samples} ${lines})
+list(GET imu 1 imu)
+list(GET truth 1 truth)
+if(NOT imu MATCHES "^[234][0-9][0-9][0-9][0-9][0-9][0-9]," OR NOT truth MATCHES "^0,")
+  message(FATAL_ERROR "the first stamp should be about 3 ms late:\n${imu}\n${truth}")
+endif()
+
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
 function(refuse pattern)
@@ -100,6 +194,36 @@ file(GLOB left "${refused}/*")
 if(left)
   message(FATAL_ERROR "a table that cannot be written left ${left}")
 endif()
+
+# Error files that are none.
+function(refuse_errors pattern text)
+  file(WRITE "${out}/errors.yaml" "${text}\n")
+  refuse("errors.yaml${pattern}" --errors "${out}/errors.yaml")
+endfunction()
+refuse("none.yaml: cannot read this file" --errors "${out}/none.yaml")
+refuse_errors(": expected a map" "")
+refuse_errors(":1: unknown giro, expected accel, gyro, stamps" "giro: []")
+refuse_errors(":[12]: no YAML: " "gyro: [")
+refuse_errors(":2: unknown term white_nose, expected constant_bias, .*white_noise" "gyro:\n  - white_nose: 1")
+refuse_errors(":1: WhiteNoise: density is -1, expected a finite number >= 0" "gyro: [white_noise: -1]")
+refuse_errors(":1: .nan, expected a finite number" "gyro: [white_noise: .nan]")
+refuse_errors(":1: 1 furlong: unknown unit furlong, expected none .SI. or one of .*deg/h" "gyro: [white_noise: 1 furlong]")
+refuse_errors(":1: much is no number" "gyro: [white_noise: much]")
+refuse_errors(":1: 2 numbers, expected one, or one for each of 3 axes" "gyro: [white_noise: [1, 2]]")
+refuse_errors(":1: no correlation_time, expected" "gyro: [gauss_markov: {standard_deviation: 1}]")
+refuse_errors(":1: no correlation_time, expected a map" "gyro: [gauss_markov: 1]")
+refuse_errors(":1: GaussMarkov: correlation time is 0, expected a finite number > 0" "gyro: [gauss_markov: {standard_deviation: 1, correlation_time: 0}]")
+refuse_errors(":1: unknown densty, expected density" "gyro: [white_noise: {density: 1, densty: 2}]")
+refuse_errors(":1: Misalignment: determinant of the matrix.* is 0, expected a matrix that can be inverted" "gyro: [misalignment: {matrix: 0}]")
+refuse_errors(":3: Saturation: limit is 1, expected at least" "accel:\n  - quantization: 2\n  - saturation: 1")
+refuse_errors(":1: unknown term white_noise, expected clock_offset" "stamps: [white_noise: 1]")
+refuse_errors(":2: 2 keys, expected a list of terms" "gyro:\n  - {white_noise: 1, random_walk: 1}")
+file(WRITE "${out}/kalibr_bad.yaml" "gyroscope_noise_density: 0.0001\ngyroscope_random_walk: 0\n")
+refuse("kalibr_bad.yaml:2: gyroscope_random_walk is 0, expected a number > 0" --kalibr "${out}/kalibr_bad.yaml")
+file(WRITE "${out}/kalibr_bad.yaml" "gyroscope_noise_density: 0.0001\n")
+refuse("kalibr_bad.yaml:1: no gyroscope_random_walk, expected one" --kalibr "${out}/kalibr_bad.yaml")
+refuse("--errors.*--kalibr|--kalibr.*--errors" --kalibr "${out}/imu.yaml" --errors "${out}/all.yaml")
+refuse("--preset" --preset imaginary)
 
 # Real trajectories.
 if(EXISTS "${SHARED_DATA_DIR}")

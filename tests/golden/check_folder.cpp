@@ -14,10 +14,6 @@ struct Kind {
   void (*check)(const Table&, Report&);
 };
 
-void not_supported(const Table& table, Report& report) {
-  report.note(table.name(), "not supported yet: " + std::to_string(table.size()) + " rows not checked");
-}
-
 constexpr Kind kinds[] = {
     {"lie_coeffs", check_lie_coeffs},
     {"so3_lie", check_so3_lie},
@@ -36,8 +32,8 @@ constexpr Kind kinds[] = {
     {"jac_se3", check_jac_se3},
     {"imu_spline", check_imu_spline},
     {"imu_truth", check_imu_truth},
-    {"strapdown_truth", not_supported},
-    {"preint", not_supported},
+    {"strapdown_truth", check_strapdown_truth},
+    {"preint", check_preint},
 };
 
 [[nodiscard]] std::string figure(double c) {

@@ -5,7 +5,27 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <span>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/bias_instability.hpp>
+#include <splinertia/imu/clock_drift.hpp>
+#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/imu/first_order_bandwidth.hpp>
+#include <splinertia/imu/g_sensitivity.hpp>
+#include <splinertia/imu/gauss_markov.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/imu/misalignment.hpp>
+#include <splinertia/imu/quantization.hpp>
+#include <splinertia/imu/random_vibration.hpp>
+#include <splinertia/imu/random_walk.hpp>
+#include <splinertia/imu/rate_ramp.hpp>
+#include <splinertia/imu/saturation.hpp>
+#include <splinertia/imu/scale_factor.hpp>
+#include <splinertia/imu/second_order_bandwidth.hpp>
+#include <splinertia/imu/second_order_response.hpp>
+#include <splinertia/imu/simulate.hpp>
+#include <splinertia/imu/sinusoidal_vibration.hpp>
+#include <splinertia/imu/temperature_bias.hpp>
+#include <splinertia/imu/temperature_scale.hpp>
+#include <splinertia/imu/white_noise.hpp>
 #include <splinertia/spline/evaluate.hpp>
 #include <splinertia/spline/linearize.hpp>
 #include <splinertia/spline/spline.hpp>
@@ -167,4 +187,86 @@ TEST_CASE("50 digits: a spline with time in double seconds") {
   CHECK(largest(m.acceleration - expected.acceleration) < 1024 * eps);
   const auto imu = ideal_imu(m);
   CHECK(largest(imu.gyro - m.velocity.head<3>()) == 0);
+}
+
+namespace {
+
+/// Parameters that are exact in double.
+template <typename Scalar>
+auto error_terms() {
+  const auto number = [](double x) { return PerAxis<Scalar>(Scalar(x)); };
+  const Matrix3<Scalar> skew{{Scalar(0), Scalar(0.25), Scalar(0)},
+                             {Scalar(-0.125), Scalar(0), Scalar(0)},
+                             {Scalar(0), Scalar(0.5), Scalar(0.25)}};
+  const WarmUp<Scalar> warm_up(Scalar(20), Scalar(60), Scalar(10));
+  return ErrorModel{ConstantBias{number(0.5)},
+                    RandomWalk{number(0.25)},
+                    GaussMarkov{number(0.25), number(3)},
+                    BiasInstability{number(0.25)},
+                    RateRamp{number(0.125)},
+                    TemperatureBias{number(0.125), warm_up},
+                    TemperatureScale{number(0.0625), warm_up},
+                    ScaleFactor{number(0.125)},
+                    Misalignment{Matrix3<Scalar>(Matrix3<Scalar>::Identity() + skew)},
+                    GSensitivity{skew},
+                    SinusoidalVibration{number(0.5), number(3)},
+                    RandomVibration{number(0.5), number(3), number(0.25)},
+                    FirstOrderBandwidth{number(10)},
+                    SecondOrderBandwidth{number(10), number(0.5)},
+                    WhiteNoise{number(0.25)},
+                    Saturation{number(1000)}};
+}
+
+}  // namespace
+
+TEST_CASE("50 digits: every error term makes of the same random numbers what it makes in double") {
+  testing::Random random(4);
+  const auto points = random.walk<SO3xR3<double>>(7);
+  std::vector<SO3xR3<Real>> wide;
+  for (const auto& x : points) {
+    Sophus::SO3<Real> R;
+    for (int i = 0; i < 4; ++i) R.data()[i] = rotation(x).data()[i];
+    wide.emplace_back(R, position(x).cast<Real>());
+  }
+  const Spline<SO3xR3<double>, 4> curve({.start = 1.0, .interval = 0.25}, points);
+  const Spline<SO3xR3<Real>, 4> wide_curve({.start = 1.0, .interval = 0.25}, wide);
+  const auto run =
+      simulate(curve, Imu{error_terms<double>(), ErrorModel{}, ErrorModel{ClockDrift{0.125}}}, {.rate = 32});
+  const Imu imu{error_terms<Real>(), ErrorModel{}, ErrorModel{ClockDrift<Real>{Real(0.125)}}};
+  auto expected = run.begin();
+  for (const auto& r : simulate(wide_curve, imu, {.rate = 32})) {
+    REQUIRE(r.time == expected->time);
+    REQUIRE(largest(r.gyro - expected->gyro.cast<Real>()) < Real(1e-12));
+    REQUIRE(largest(r.gyro_bias - expected->gyro_bias.cast<Real>()) < Real(1e-12));
+    ++expected;
+  }
+  CHECK(expected == run.end());
+}
+
+TEST_CASE("50 digits: rounding, and what is refused") {
+  Sample<Real> sample{Vector3<Real>::Constant(Real(7) / 3), Vector3<Real>::Zero(), Real(1), true, Real(0), {}};
+  Quantization<Real>::State state;
+  Quantization<Real>{Real("0.1")}.apply(sample, state);
+  CHECK(sample.value[0] == 23 * Real("0.1"));
+  CHECK_THROWS_WITH(WhiteNoise<Real>{Real(-2)}, "WhiteNoise: density is -2, expected a finite number >= 0");
+}
+
+TEST_CASE("50 digits: the oscillator's steps in double are right to a few eps, whatever its size and damping") {
+  const double double_eps = std::numeric_limits<double>::epsilon();
+  for (const double zeta : {0.01, 0.7, 1 - 0x1p-53, 1.0, 1.2, 1.3, 30.0, 1e6}) {
+    for (double a = 1e-9; a < 2e9; a *= 12.3) {
+      INFO("a = " << a << ", damping ratio " << zeta);
+      const auto transition = oscillator_transition<double>(a, zeta);
+      CHECK(largest(transition.cast<Real>() - oscillator_transition<Real>(Real(a), Real(zeta))) <
+            (4 + 1 / zeta) * double_eps);
+      // What a ramp between samples adds, as second_order_bandwidth.hpp has it from the response to a step.
+      const auto ramp = [](const auto& size, const auto& damping, const auto& T) {
+        const auto response = oscillator_step_response(size, damping);
+        return Real(1) - (Real(2) * damping * response + T(0, 1)) / size;
+      };
+      CHECK(
+          abs(ramp(a, zeta, transition) - ramp(Real(a), Real(zeta), oscillator_transition<Real>(Real(a), Real(zeta)))) <
+          (8 + 1 / zeta) * double_eps);
+    }
+  }
 }

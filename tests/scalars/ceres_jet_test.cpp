@@ -2,10 +2,26 @@
 // ceres::Jet as the scalar: differentiating the code itself must give the analytic derivatives, to rounding.
 #include <ceres/jet.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/imu/error_model.hpp>
+#include <splinertia/imu/first_order_bandwidth.hpp>
+#include <splinertia/imu/g_sensitivity.hpp>
+#include <splinertia/imu/gauss_markov.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/imu/misalignment.hpp>
+#include <splinertia/imu/random_walk.hpp>
+#include <splinertia/imu/rate_ramp.hpp>
+#include <splinertia/imu/saturation.hpp>
+#include <splinertia/imu/scale_factor.hpp>
+#include <splinertia/imu/second_order_bandwidth.hpp>
+#include <splinertia/imu/sinusoidal_vibration.hpp>
+#include <splinertia/imu/temperature_bias.hpp>
+#include <splinertia/imu/white_noise.hpp>
 #include <splinertia/spline/spline.hpp>
 
 #include "adapters/ceres_checks.hpp"
@@ -149,5 +165,53 @@ TEST_CASE("Jets: a Spline of them takes time as a number") {
   const auto J = derivative(curve.evaluate<1>(0.75).velocity);
   for (int j = 0; j < 4; ++j) {
     CHECK(largest(J.middleCols<3>(3 * j) - l.velocity_jacobian[static_cast<std::size_t>(j)]) <= 64 * eps);
+  }
+}
+
+TEST_CASE("Jets: a reading differentiates by the parameters of its errors") {
+  // Two samples of a chain of errors as a function of one parameter of each.
+  const auto gyro = []<typename T>(const std::array<T, 12>& p) {
+    Matrix3<T> matrix = Matrix3<T>::Identity(), sensitivity = Matrix3<T>::Zero();
+    matrix(0, 1) = p[3];
+    sensitivity(1, 2) = p[4];
+    const ErrorModel model{ConstantBias{PerAxis<T>(p[0])},
+                           RateRamp{PerAxis<T>(p[1])},
+                           ScaleFactor{PerAxis<T>(p[2])},
+                           Misalignment{matrix},
+                           GSensitivity{sensitivity},
+                           TemperatureBias{PerAxis<T>(p[5]), WarmUp<T>(T(20), T(60), T(1))},
+                           SinusoidalVibration{PerAxis<T>(T(1)), PerAxis<T>(p[6])},
+                           GaussMarkov{PerAxis<T>(T(0.1)), PerAxis<T>(p[7])},
+                           RandomWalk{PerAxis<T>(p[8])},
+                           FirstOrderBandwidth{PerAxis<T>(p[9])},
+                           SecondOrderBandwidth{PerAxis<T>(p[10]), PerAxis<T>(T(0.5))},
+                           WhiteNoise{PerAxis<T>(p[11])},
+                           Saturation{PerAxis<T>(T(1000))}};
+    auto state = model.start(StreamKey(1));
+    Sample<T> sample;
+    for (int i = 0; i < 3; ++i) {
+      const Vector3<T> omega(T(1.0 + i), T(2.0), T(3.0 * i)), force(T(4.0), T(5.0), T(6.0));
+      sample = {omega, Vector3<T>::Zero(), T(0.125), i == 0, T(0.125 * i), {omega, force}};
+      model.apply(sample, state);
+    }
+    return sample.value;
+  };
+  const std::array<double, 12> parameters{0.1, 0.2, 0.3, 0.04, 0.5, 0.06, 0.7, 0.8, 0.9, 1.1, 1.2, 1.3};
+  using T = Jet<12>;
+  std::array<T, 12> jets;
+  for (int i = 0; i < 12; ++i) jets[static_cast<std::size_t>(i)] = T(parameters[static_cast<std::size_t>(i)], i);
+  const Vector3<T> automatic = gyro(jets);
+  CHECK(largest(values(automatic) - gyro(parameters)) < 1e-13);
+  const auto J = derivative(automatic);
+  const double h = 1e-4;
+  for (int i = 0; i < 12; ++i) {
+    const auto moved = [&](double d) {
+      auto p = parameters;
+      p[static_cast<std::size_t>(i)] += d;
+      return gyro(p);
+    };
+    const Eigen::Vector3d column = (8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h);
+    CHECK(largest(J.col(i) - column) < 1e-9);
+    CHECK(largest(column) > 1e-4);
   }
 }

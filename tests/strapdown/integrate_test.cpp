@@ -2,9 +2,12 @@
 #include <array>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
+#include <splinertia/motion/ellipse.hpp>
 #include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/magnus4.hpp>
 #include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/rotating_frame.hpp>
 
 #include "support/catch.hpp"
 #include "support/random_group.hpp"
@@ -64,8 +67,47 @@ TEST_CASE("Any struct with time, gyro and accel is a sample, and intervals may d
   CHECK((states[2].p_WB - Eigen::Vector3d(2, 4, 5)).norm() < 1e-14);
 }
 
-TEST_CASE("No samples give no states") {
-  CHECK(integrate<Euler>(NavState<double>{{}, {0, 0, 0}, {0, 0, 0}, 0}, std::vector<Row>{}).empty());
+TEST_CASE("No samples give no states, and one gives the initial one") {
+  const NavState<double> initial{{}, {1, 2, 3}, {4, 5, 6}, 7};
+  CHECK(integrate<Euler>(initial, std::vector<Row>{}).empty());
+  CHECK(integrate<Magnus4>(initial, std::vector<Row>{}).empty());
+  const auto states = integrate<Magnus4>(initial, std::vector{Row{7, {0, 0, 0}, {0, 0, 0}}});
+  REQUIRE(states.size() == 1);
+  CHECK(states[0].p_WB == initial.p_WB);
+}
+
+TEST_CASE("Visiting the states keeps none of them, and they are the same") {
+  const Ellipse<> motion;
+  const auto initial = nav_state(motion.evaluate<1>(0), 0.0);
+  const auto samples = simulate(motion, ideal, {.rate = 100, .start = 0.0, .end = 1.0});
+  const auto states = integrate<Magnus4>(initial, samples);
+  REQUIRE(states.size() == 101);
+  std::size_t i = 0;
+  integrate<Magnus4>(initial, samples, standard_gravity<double>(), [&](const NavState<double>& state) {
+    CHECK(state.time == states[i].time);
+    CHECK(state.p_WB == states[i].p_WB);
+    ++i;
+  });
+  CHECK(i == states.size());
+}
+
+TEST_CASE("Gaps are refused or bridged, and the frame may turn") {
+  const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 0};
+  const auto at = [](double t) { return Row{t, {0, 0, 0}, {0, 0, 10}}; };
+  const std::vector rows{at(0), at(1), at(3), at(4)};
+  const Eigen::Vector3d g(0, 0, -10);
+  CHECK_THROWS_WITH(integrate<Midpoint>(initial, rows, g, {.gaps = {.longest = 1}}),
+                    "integrate: sample 2 at 3 comes 2 s after the one before, expected at most 1 s");
+  std::size_t bridged = 7;
+  const auto states = integrate<Midpoint>(
+      initial, rows, g, {.gaps = {.longest = 1, .policy = GapPolicy::bridge}, .bridged_gaps = &bridged});
+  CHECK(bridged == 1);
+  CHECK(states.size() == 4);
+  CHECK(states.back().p_WB == Eigen::Vector3d(0, 0, 0));
+
+  const IntegrationOptions<double, RotatingFrame<double>> turning{.frame = {{0, 0, 0.1}}};
+  const auto turned = integrate<Midpoint>(initial, rows, g, turning);
+  CHECK((turned.back().R_WB.log() - Eigen::Vector3d(0, 0, -0.4)).norm() < 1e-15);
 }
 
 TEST_CASE("Samples that do not follow each other or the state are refused") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Curves in Ceres Solver (2.1 or newer): a manifold for control points in the memory of Sophus objects, and residuals
-/// of poses and of an IMU's samples with analytic Jacobians. Not part of splinertia.hpp: it needs Ceres.
+/// of poses, of an IMU's samples and of preintegrated motions with analytic Jacobians. Not part of splinertia.hpp: it
+/// needs Ceres.
 ///
 ///   std::vector<Sophus::SE3d> T = …;                    // control points, of UniformKnots knots{start, interval}
 ///   for (auto& x : T) problem.AddParameterBlock(x.data(), 7, new CeresManifold<Sophus::SE3d>);
@@ -15,3 +16,4 @@
 #include <splinertia/adapters/ceres_imu.hpp>
 #include <splinertia/adapters/ceres_manifold.hpp>
 #include <splinertia/adapters/ceres_pose.hpp>
+#include <splinertia/adapters/ceres_preintegration.hpp>

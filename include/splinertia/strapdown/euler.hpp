@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <splinertia/strapdown/nav_state.hpp>
+#include <splinertia/strapdown/linearized_increment.hpp>
+#include <splinertia/strapdown/scheme.hpp>
 
 namespace splinertia {
 
-/// The explicit Euler method: everything stays over the step as it was at its beginning. Order 1; the reference that
-/// every other scheme should beat.
-///   R₁ = R₀ exp(ω₀ h),  a = R₀ f₀ + g,  v₁ = v₀ + a h,  p₁ = p₀ + v₀ h + a h²/2
-struct Euler {
-  template <typename Scalar, typename Time, typename Sample>
-  [[nodiscard]] static NavState<Scalar, Time> step(const NavState<Scalar, Time>& state, const Sample& from,
-                                                   const Sample& to, const Vector3<Scalar>& gravity) {
-    const Scalar h = seconds<Scalar>(to.time - from.time);
-    const auto& q = state.R_WB.unit_quaternion();
-    const Vector3<Scalar> a = rotate<Scalar>(q, from.accel) + gravity;
-    return {advance_attitude<Scalar>(state.R_WB, from.gyro * h), state.v_WB + a * h,
-            state.p_WB + state.v_WB * h + a * (h * h / Scalar(2)), to.time};
+/// The explicit Euler method: everything stays over the step as it was at its beginning, and the force does not turn
+/// with the body. Order 1; the reference that every other scheme should beat.
+///   ΔR = exp(ω₀ h),  Δv = f₀ h,  Δp = f₀ h²/2
+struct Euler : PointScheme<2> {
+  template <typename Scalar, typename Window>
+  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+    const auto& sample = window[from];
+    const Scalar h = step_interval<Scalar>(window, from);
+    const Vector3<Scalar> velocity = sample.accel * h;
+    return {rotation_exp<Scalar>(sample.gyro * h), velocity, velocity * (h / Scalar(2)), h};
+  }
+
+  template <typename Scalar, typename Window>
+  [[nodiscard]] static LinearizedIncrement<Scalar> linearize(const Window& window, std::size_t from) {
+    LinearizedIncrement<Scalar> result;
+    result.value = increment<Scalar>(window, from);
+    const Scalar h = result.value.interval;
+    result.R_w = h * rotation_left_jacobian<Scalar>(window[from].gyro * -h);
+    result.v_w.setZero();
+    result.v_f = h * Matrix3<Scalar>::Identity();
+    result.p_w.setZero();
+    result.p_f = (h * h / Scalar(2)) * Matrix3<Scalar>::Identity();
+    return result;
   }
 };
 

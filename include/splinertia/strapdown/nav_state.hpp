@@ -3,6 +3,7 @@
 
 #include <splinertia/group/pose.hpp>
 #include <splinertia/motion/kinematics.hpp>
+#include <splinertia/strapdown/galilean.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia {
@@ -25,13 +26,29 @@ template <Pose G, int D, TimePoint Time>
   return {rotation(motion.value), world_velocity(motion), position(motion.value), time};
 }
 
-/// R exp(φ), kept on the unit sphere: rounding alone would let the norm drift with the square root of the steps.
+/// q r for unit quaternions, kept on the unit sphere: rounding alone would let the norm drift with the number of steps.
 template <typename Scalar>
-[[nodiscard]] Sophus::SO3<Scalar> advance_attitude(const Sophus::SO3<Scalar>& R, const Vector3<Scalar>& phi) {
-  const Eigen::Quaternion<Scalar> q = R.unit_quaternion() * rotation_exp<Scalar>(phi);
+[[nodiscard]] Sophus::SO3<Scalar> advance_attitude(const Eigen::Quaternion<Scalar>& q,
+                                                   const Eigen::Quaternion<Scalar>& r) {
+  const Eigen::Quaternion<Scalar> product = quaternion_product(q, r);
   // One Newton step for 1/|q|, exact to rounding this close to 1.
-  const Scalar scale = (Scalar(3) - q.squaredNorm()) / Scalar(2);
-  return rotation_from_unit_quaternion(Eigen::Quaternion<Scalar>(q.coeffs() * scale));
+  const Scalar scale = (Scalar(3) - product.squaredNorm()) / Scalar(2);
+  return rotation_from_unit_quaternion(Eigen::Quaternion<Scalar>(product.coeffs() * scale));
 }
+
+/// The inertial world in which what a body does is what its IMU has measured, and gravity: the default Frame.
+///   R₁ = R₀ ΔR,  v₁ = v₀ + g h + R₀ Δv,  p₁ = p₀ + v₀ h + g h²/2 + R₀ Δp
+struct InertialFrame {
+  template <typename Scalar, typename Time>
+  [[nodiscard]] NavState<Scalar, Time> advance(const NavState<Scalar, Time>& state,
+                                               const NavIncrement<Scalar>& increment, const Vector3<Scalar>& gravity,
+                                               Time time) const {
+    const auto& q = state.R_WB.unit_quaternion();
+    const Scalar h = increment.interval;
+    const Vector3<Scalar> fall = gravity * h;
+    return {advance_attitude<Scalar>(q, increment.rotation), state.v_WB + fall + rotate<Scalar>(q, increment.velocity),
+            state.p_WB + (state.v_WB + fall / Scalar(2)) * h + rotate<Scalar>(q, increment.position), time};
+  }
+};
 
 }  // namespace splinertia

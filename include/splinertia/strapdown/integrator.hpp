@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/strapdown/nav_state.hpp>
+#include <splinertia/strapdown/sample_window.hpp>
+#include <splinertia/strapdown/scheme.hpp>
+
+namespace splinertia {
+
+/// Integrates the samples of an IMU as they come, inside an estimator's loop: one at a time, without heap.
+///
+///   Integrator<Midpoint, double> integrator(initial);
+///   integrator.push(sample);
+///   integrator.state();
+///
+/// `Scheme` is Euler, Midpoint, …, of point samples, or one of coning_sculling.hpp, of increments. Frame is
+/// InertialFrame, or RotatingFrame, which is passed. A scheme that looks ahead, or advances by several samples, leaves
+/// the state behind the last sample until finish().
+template <typename Scheme, typename Scalar, TimePoint Time = double, typename Frame = InertialFrame>
+class Integrator {
+ public:
+  using State = NavState<Scalar, Time>;
+
+  /// `gravity`: acceleration of free fall in the world, m/s².
+  explicit Integrator(const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
+                      const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
+      : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {}
+
+  /// Adds a sample and advances the state as far as the scheme can; calls visit(state) after each step. Throws
+  /// std::invalid_argument for a first point sample that is not at the time of the initial state, for a stamp that is
+  /// not after the last one, and for a gap that is refused; then nothing has changed.
+  template <typename AnySample>
+  void push(const AnySample& sample, const auto& visit) {
+    window_.push(sample, step(visit));
+  }
+  template <typename AnySample>
+  void push(const AnySample& sample) {
+    push(sample, [](const State&) {});
+  }
+
+  /// Brings the state to the last sample. No sample can be added after it. Throws std::invalid_argument if there were
+  /// fewer samples than the scheme needs.
+  void finish(const auto& visit) { window_.finish(step(visit)); }
+  void finish() {
+    finish([](const State&) {});
+  }
+
+  [[nodiscard]] const State& state() const { return state_; }
+  /// How many gaps have been bridged.
+  [[nodiscard]] std::size_t gaps() const { return window_.gaps(); }
+
+ private:
+  [[nodiscard]] auto step(const auto& visit) {
+    return [this, &visit](const auto& samples, std::size_t from, Time time) {
+      const auto increment = step_increment<Scheme, Scalar>(samples, from);
+      state_ = flattened<Scalar>([&] { return frame_.advance(state_, increment, gravity_, time); });
+      visit(state_);
+    };
+  }
+
+  State state_;
+  Vector3<Scalar> gravity_;
+  SampleWindow<Scheme, Scalar, Time> window_;
+  [[no_unique_address]] Frame frame_;
+};
+
+}  // namespace splinertia

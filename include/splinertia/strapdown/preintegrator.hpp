@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <splinertia/strapdown/imu_covariance.hpp>
+#include <splinertia/strapdown/linearized_increment.hpp>
+#include <splinertia/strapdown/preintegrated_imu.hpp>
+#include <splinertia/strapdown/sample_window.hpp>
+#include <type_traits>
+
+namespace splinertia {
+
+/// For those who need no covariance: no noise.
+struct Noiseless {};
+
+/// Preintegrates the samples of an IMU as they come, without heap:
+///
+///   Preintegrator<Midpoint, double, double, ImuNoise<double>> preintegrator(time, bias, noise);
+///   for (const auto& sample : samples) preintegrator.push(sample);
+///   preintegrator.finish();
+///   preintegrator.result();                    // PreintegratedImu: motion, bias Jacobians, covariance
+///
+/// Scheme is one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid, Magnus4 of point samples,
+/// RotationCorrectedIncrements, TwoSampleIncrements of increments. With Noiseless, the default, there is no covariance.
+template <typename Scheme, typename Scalar, TimePoint Time = double, typename Noise = Noiseless>
+  requires LinearizableScheme<Scheme, Scalar,
+                              std::array<typename SampleWindow<Scheme, Scalar, Time>::Sample, Scheme::window>>
+class Preintegrator {
+  static constexpr bool has_noise = !std::is_same_v<Noise, Noiseless>;
+
+ public:
+  using Covariance = std::conditional_t<has_noise, ImuCovariance<Scalar>, NoCovariance>;
+  using Result = PreintegratedImu<Scalar, Covariance>;
+
+  explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
+                         const GapOptions<Scalar>& gaps = {})
+      : result_(bias), noise_(noise), window_(start, gaps) {}
+
+  /// Adds a sample. Throws std::invalid_argument as Integrator does.
+  template <ImuSample<Scalar, Time> Sample>
+    requires(!Scheme::takes_increments)
+  void push(const Sample& sample) {
+    const ImuBias<Scalar>& bias = result_.bias();
+    window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel}, step());
+  }
+  template <ImuIncrement<Scalar, Time> Sample>
+    requires Scheme::takes_increments
+  void push(const Sample& sample) {
+    const ImuBias<Scalar>& bias = result_.bias();
+    const Scalar h = seconds<Scalar>(Time(sample.time) - window_.last());
+    window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
+                                                 sample.delta_velocity - bias.accel * h},
+                 step());
+  }
+
+  /// Brings the result to the last sample; none can be added after it. Throws std::invalid_argument if there were fewer
+  /// samples than the scheme needs.
+  void finish() { window_.finish(step()); }
+
+  [[nodiscard]] const Result& result() const { return result_; }
+  [[nodiscard]] std::size_t gaps() const { return window_.gaps(); }
+
+ private:
+  [[nodiscard]] auto step() {
+    return [this](const auto& samples, std::size_t from, Time) {
+      const auto step = linearize_step<Scheme, Scalar>(samples, from);
+      if constexpr (has_noise) {
+        result_.append(step, Covariance(step, noise_));
+      } else {
+        result_.append(step);
+      }
+    };
+  }
+
+  Result result_;
+  [[no_unique_address]] Noise noise_;
+  SampleWindow<Scheme, Scalar, Time> window_;
+};
+
+}  // namespace splinertia

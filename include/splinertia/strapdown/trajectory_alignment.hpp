@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/SVD>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <splinertia/finite.hpp>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/message.hpp>
+#include <splinertia/strapdown/trajectory_association.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace splinertia {
+
+/// From one world to another: p ↦ scale R p + t for positions, R_WB ↦ R R_WB for attitudes. An element of Sim(3).
+template <typename Scalar>
+struct SimilarityTransform {
+  Sophus::SO3<Scalar> rotation{};
+  Vector3<Scalar> translation = Vector3<Scalar>::Zero();  ///< m
+  Scalar scale = Scalar(1);
+
+  [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& p) const {
+    return rotate<Scalar>(rotation.unit_quaternion(), p * scale) + translation;
+  }
+  template <Pose G>
+    requires std::same_as<ScalarOf<G>, Scalar>
+  [[nodiscard]] G operator()(const G& pose) const {
+    using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
+    return make_pose<G>(SO3::compose(rotation, splinertia::rotation(pose)), (*this)(position(pose)));
+  }
+};
+
+/// The mean of the columns, of their differences from the first: far from the origin a plain sum would lose digits.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> centroid(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& points) {
+  return points.col(0) + (points.colwise() - points.col(0)).rowwise().mean();
+}
+
+/// The transform that takes the points x_i (columns, in m) next to the points y_i: minimises Σ |y_i − (c R x_i + t)|²,
+/// with c = 1 unless `with_scale`. U D Vᵀ is the singular value decomposition of the covariance of y and x, S turns the
+/// last axis round where det U det V < 0:
+///   R = U S Vᵀ,  c = tr(D S)/σ_x²,  t = ȳ − c R x̄
+/// Umeyama, "Least-squares estimation of transformation parameters between two point patterns", PAMI 13 (1991),
+/// (34)-(43). Throws std::invalid_argument if the points do not determine R: fewer than three, on one line, not finite.
+template <typename Scalar>
+[[nodiscard]] SimilarityTransform<Scalar> fit_similarity(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& from,
+                                                         const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& to,
+                                                         bool with_scale) {
+  if (from.cols() != to.cols() || from.cols() < 3) {
+    throw std::invalid_argument(message("fit_similarity: ", from.cols(), " and ", to.cols(),
+                                        " points, expected the same number of both, and at least 3"));
+  }
+  using std::sqrt;
+  const Scalar count = static_cast<Scalar>(from.cols());
+  const Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
+  const Eigen::Matrix<Scalar, 3, Eigen::Dynamic> x = from.colwise() - mean_x, y = to.colwise() - mean_y;
+  const Scalar variance_x = x.squaredNorm() / count, variance_y = y.squaredNorm() / count;
+  const Matrix3<Scalar> covariance = y * x.transpose() / count;
+  if (!is_finite(variance_x) || !is_finite(variance_y)) {
+    throw std::invalid_argument("fit_similarity: the points, or their squares, are not finite");
+  }
+
+  const Eigen::JacobiSVD<Matrix3<Scalar>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Vector3<Scalar> d = svd.singularValues();
+  const bool mirrored = svd.matrixU().determinant() * svd.matrixV().determinant() < Scalar(0);
+  const Vector3<Scalar> s(Scalar(1), Scalar(1), mirrored ? Scalar(-1) : Scalar(1));
+  // R is the only one that is best if d₂ + s d₃ > 0. What rounding leaves there: that of the points, times the spread.
+  const Scalar rounding = std::numeric_limits<Scalar>::epsilon() *
+                          (from.cwiseAbs().maxCoeff() * sqrt(variance_y) + to.cwiseAbs().maxCoeff() * sqrt(variance_x));
+  if (!(d[1] + s[2] * d[2] > Scalar(16) * rounding)) {
+    throw std::invalid_argument(message("fit_similarity: ", from.cols(),
+                                        " points do not determine a rotation, expected some that are not on one line "
+                                        "(singular values of the covariance: ",
+                                        d[0], ' ', d[1], ' ', d[2], " m^2)"));
+  }
+  const Eigen::Quaternion<Scalar> q(Matrix3<Scalar>(svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose()));
+  SimilarityTransform<Scalar> result;
+  result.rotation = rotation_from_unit_quaternion<Scalar>(q.normalized());
+  if (with_scale) result.scale = d.dot(s) / variance_x;
+  result.translation = mean_y - result(mean_x);
+  return result;
+}
+
+/// What of the estimate's world is unknown and to be found: nothing; its place, from the first pair of poses; its
+/// place, from all positions (Umeyama); that and its scale.
+enum class Alignment { none, origin, se3, sim3 };
+
+/// The transform from the world of the estimate to that of the reference. Throws std::invalid_argument for no pairs,
+/// and as fit_similarity() does.
+template <Pose G, TimePoint Time>
+[[nodiscard]] SimilarityTransform<ScalarOf<G>> alignment(const std::vector<PosePair<G, Time>>& pairs, Alignment kind) {
+  using Scalar = ScalarOf<G>;
+  using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
+  if (pairs.empty()) throw std::invalid_argument("alignment: no pairs of poses");
+  SimilarityTransform<Scalar> result;
+  if (kind == Alignment::none) return result;
+  if (kind == Alignment::origin) {
+    const auto& [time, reference, estimate] = pairs.front();
+    result.rotation = SO3::compose(rotation(reference), SO3::inverse(rotation(estimate)));
+    result.translation = position(reference) - result(position(estimate));
+    return result;
+  }
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::Matrix<Scalar, 3, Eigen::Dynamic> from(3, count), to(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    from.col(i) = position(pairs[static_cast<std::size_t>(i)].estimate);
+    to.col(i) = position(pairs[static_cast<std::size_t>(i)].reference);
+  }
+  return fit_similarity<Scalar>(from, to, kind == Alignment::sim3);
+}
+
+/// The pairs with the estimate transformed.
+template <Pose G, TimePoint Time>
+[[nodiscard]] std::vector<PosePair<G, Time>> transformed(std::vector<PosePair<G, Time>> pairs,
+                                                         const SimilarityTransform<ScalarOf<G>>& transform) {
+  for (auto& pair : pairs) pair.estimate = transform(pair.estimate);
+  return pairs;
+}
+
+/// The pairs with the estimate aligned; throws as alignment() does.
+template <Pose G, TimePoint Time>
+[[nodiscard]] std::vector<PosePair<G, Time>> aligned(const std::vector<PosePair<G, Time>>& pairs, Alignment kind) {
+  return transformed(pairs, alignment(pairs, kind));
+}
+
+}  // namespace splinertia

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Integrating allocates nothing: counted in operator new, and refused by Eigen.
+#define EIGEN_RUNTIME_NO_MALLOC
+#include <cstdlib>
+#include <new>
+#include <splinertia/strapdown/coning_sculling.hpp>
+#include <splinertia/strapdown/euler.hpp>
+#include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/magnus4.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/rotating_frame.hpp>
+#include <splinertia/strapdown/runge_kutta4.hpp>
+#include <splinertia/strapdown/trapezoid.hpp>
+#include <splinertia/strapdown/zero_order_hold.hpp>
+
+#include "strapdown/convergence.hpp"
+#include "support/catch.hpp"
+
+namespace {
+std::size_t allocations = 0;
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace splinertia;
+
+namespace {
+
+std::size_t allocations_of(const auto& work) {
+  Eigen::internal::set_is_malloc_allowed(false);
+  const std::size_t before = allocations;
+  work();
+  const std::size_t after = allocations;
+  Eigen::internal::set_is_malloc_allowed(true);
+  return after - before;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("Integrating allocates nothing", "", Euler, ZeroOrderHold, Midpoint, Trapezoid, RungeKutta4,
+                   RungeKutta4DoubleStep, Magnus4, UncorrectedIncrements, RotationCorrectedIncrements,
+                   TwoSampleIncrements, ThreeSampleIncrements) {
+  const testing::AggressiveMotion<> motion;
+  const auto stamps = testing::regular_stamps(10);
+  const auto samples = [&] {
+    if constexpr (TestType::takes_increments) {
+      return testing::increments(motion, stamps);
+    } else {
+      return testing::point_samples(motion, stamps);
+    }
+  }();
+  const auto initial = nav_state(motion.evaluate<1>(0), 0.0);
+  CHECK(allocations > 0);  // the counter counts
+  double sum = 0;
+  const auto visit = [&](const NavState<double>& state) { sum += state.p_WB.norm(); };
+  CHECK(allocations_of([&] {
+          Integrator<TestType, double> integrator(initial);
+          for (const auto& sample : samples) integrator.push(sample, visit);
+          integrator.finish(visit);
+        }) == 0);
+  CHECK(allocations_of([&] { integrate<TestType>(initial, samples, standard_gravity<double>(), visit); }) == 0);
+  const IntegrationOptions<double, RotatingFrame<double>> turning{.frame = {{0, 0, 0.1}}};
+  CHECK(allocations_of([&] { integrate<TestType>(initial, samples, standard_gravity<double>(), visit, turning); }) ==
+        0);
+  CHECK(sum > 0);
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <splinertia/strapdown/coning_sculling.hpp>
+#include <splinertia/strapdown/magnus4.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/runge_kutta4.hpp>
+#include <splinertia/strapdown/sample_window.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "support/catch.hpp"
+
+using namespace splinertia;
+
+namespace {
+
+/// What a window makes of stamps, as (from, to) of each step, found in the samples that `take` is given.
+template <typename Scheme>
+class Recorder {
+ public:
+  explicit Recorder(const GapOptions<double>& gaps = {}) : window(0, gaps) {}
+
+  void push(double time) {
+    const Eigen::Vector3d value(time, 0, 0);
+    if constexpr (Scheme::takes_increments) {
+      window.push(TimedImuIncrement<double, double>{time, value, value}, take());
+    } else {
+      window.push(TimedImuSample<double, double>{time, value, value}, take());
+    }
+  }
+  void finish() { window.finish(take()); }
+
+  SampleWindow<Scheme, double, double> window;
+  std::vector<std::pair<double, double>> steps;
+
+ private:
+  auto take() {
+    return [this](const auto& samples, std::size_t from, double end) {
+      if constexpr (Scheme::takes_increments) {
+        steps.emplace_back(samples[from].time - samples[from].interval, end);
+      } else {
+        steps.emplace_back(samples[from].time, end);
+      }
+    };
+  }
+};
+
+using Steps = std::vector<std::pair<double, double>>;
+
+/// The steps of samples at 1, 2, … n (increments), or 0, 1, … n − 1 (points), before and after finish().
+template <typename Scheme>
+std::pair<Steps, Steps> steps_of(int n) {
+  Recorder<Scheme> recorder;
+  for (int i = 0; i < n; ++i) recorder.push(Scheme::takes_increments ? i + 1 : i);
+  const Steps before = recorder.steps;
+  recorder.finish();
+  recorder.finish();  // the second time nothing is left
+  return {before, recorder.steps};
+}
+
+/// Steps of `stride` from 0 up to `end`, the last one shorter where it must be.
+Steps expected_steps(int end, int stride) {
+  Steps steps;
+  for (int i = 0; i < end; i += stride) steps.emplace_back(i, std::min(i + stride, end));
+  return steps;
+}
+
+}  // namespace
+
+TEST_CASE("Steps follow each other and end at the last sample, for 0 to 10 samples") {
+  for (int n = 0; n <= 10; ++n) {
+    CAPTURE(n);
+    const int last = std::max(n - 1, 0);
+    CHECK(steps_of<Midpoint>(n).first == expected_steps(last, 1));
+    CHECK(steps_of<Midpoint>(n).second == expected_steps(last, 1));
+    CHECK(steps_of<RotationCorrectedIncrements>(n).first == expected_steps(n, 1));
+    CHECK(steps_of<TwoSampleIncrements>(n).second == expected_steps(n, 2));
+    CHECK(steps_of<ThreeSampleIncrements>(n).second == expected_steps(n, 3));
+    if (n < 2 || n >= 4) {
+      CHECK(steps_of<Magnus4>(n).second == expected_steps(last, 1));
+      CHECK(steps_of<RungeKutta4DoubleStep>(n).second == expected_steps(last, 2));
+    }
+  }
+}
+
+TEST_CASE("A scheme is behind by what it looks ahead, until the end") {
+  for (int n = 4; n <= 10; ++n) {
+    CAPTURE(n);
+    CHECK(steps_of<Magnus4>(n).first == expected_steps(n - 2, 1));
+    CHECK(steps_of<RungeKutta4DoubleStep>(n).first == expected_steps((n - 1) / 2 * 2, 2));
+    CHECK(steps_of<TwoSampleIncrements>(n).first == expected_steps(n / 2 * 2, 2));
+    CHECK(steps_of<ThreeSampleIncrements>(n).first == expected_steps(n / 3 * 3, 3));
+  }
+  CHECK(steps_of<Magnus4>(3 + 1).first.size() == 2);
+}
+
+TEMPLATE_TEST_CASE("Fewer samples than a scheme looks at are refused", "", Magnus4, RungeKutta4DoubleStep) {
+  for (int n = 2; n <= 3; ++n) {
+    Recorder<TestType> recorder;
+    for (int i = 0; i < n; ++i) recorder.push(i);
+    CHECK_THROWS_WITH(recorder.finish(), "integrate: " + std::to_string(n) +
+                                             " samples, expected at least 4, which is what the scheme looks at");
+    CHECK(recorder.steps.empty());
+    for (int i = n; i < 4; ++i) recorder.push(i);  // it can go on
+    recorder.finish();
+    CHECK(recorder.steps.back().second == 3);
+  }
+}
+
+TEST_CASE("What is refused changes nothing") {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  Recorder<Midpoint> recorder({.longest = 2});
+  CHECK_THROWS_WITH(recorder.push(0.5), "integrate: the first sample is at 0.5, the initial state at 0");
+  CHECK_THROWS_AS(recorder.push(nan), std::invalid_argument);
+  recorder.push(0);
+  recorder.push(1);
+  CHECK_THROWS_WITH(recorder.push(1), "integrate: sample 2 is at 1, expected a time after 1");
+  CHECK_THROWS_WITH(recorder.push(0.5), "integrate: sample 2 is at 0.5, expected a time after 1");
+  CHECK_THROWS_AS(recorder.push(nan), std::invalid_argument);
+  CHECK_THROWS_WITH(recorder.push(infinity), "integrate: sample 2 is at inf, expected a time after 1");
+  CHECK_THROWS_WITH(recorder.push(3.5),
+                    "integrate: sample 2 at 3.5 comes 2.5 s after the one before, expected at most 2 s");
+  CHECK(recorder.window.last() == 1);
+  CHECK(recorder.window.gaps() == 0);
+  recorder.push(3);  // exactly as long as allowed
+  CHECK(recorder.steps == Steps{{0, 1}, {1, 3}});
+}
+
+TEST_CASE("The first increment begins at the start") {
+  Recorder<RotationCorrectedIncrements> recorder;
+  CHECK_THROWS_WITH(recorder.push(0), "integrate: sample 0 is at 0, expected a time after 0");
+  recorder.push(0.25);
+  CHECK(recorder.steps == Steps{{0, 0.25}});
+}
+
+TEST_CASE("Gaps are bridged where that is asked for, and counted") {
+  Recorder<Magnus4> recorder({.longest = 1.5, .policy = GapPolicy::bridge});
+  for (const double t : {0, 1, 3, 4, 5, 9, 10}) recorder.push(t);
+  CHECK_THROWS_AS(recorder.push(10), std::invalid_argument);
+  recorder.finish();
+  CHECK(recorder.window.gaps() == 2);
+  CHECK(recorder.steps == Steps{{0, 1}, {1, 3}, {3, 4}, {4, 5}, {5, 9}, {9, 10}});
+}
+
+TEST_CASE("A gap that is bridged counts only if the sample is taken") {
+  Recorder<ThreeSampleIncrements> recorder({.longest = 1.5, .policy = GapPolicy::bridge});
+  recorder.push(1);
+  CHECK_THROWS_AS(recorder.push(4), std::invalid_argument);  // not an equal interval
+  CHECK(recorder.window.gaps() == 0);
+  recorder.push(2);
+  recorder.push(3);
+  CHECK(recorder.steps == Steps{{0, 3}});
+}
+
+TEST_CASE("An exception of the caller's own does not repeat a step") {
+  SampleWindow<Midpoint, double, double> window(0);
+  const auto at = [](double t) { return TimedImuSample<double, double>{t, {0, 0, 0}, {0, 0, 0}}; };
+  int steps = 0;
+  const auto fail = [&](const auto&, std::size_t, double) {
+    ++steps;
+    throw std::runtime_error("enough");
+  };
+  window.push(at(0), fail);
+  CHECK_THROWS_AS(window.push(at(1), fail), std::runtime_error);
+  window.finish(fail);
+  CHECK(steps == 1);
+}
+
+TEST_CASE("A copy is an independent continuation") {
+  Recorder<TwoSampleIncrements> recorder;
+  for (const double t : {1, 2, 3}) recorder.push(t);
+  auto copy = recorder.window;
+  Steps steps;
+  const auto take = [&](const auto& samples, std::size_t from, double end) {
+    steps.emplace_back(samples[from].time - samples[from].interval, end);
+  };
+  copy.finish(take);
+  CHECK(steps == Steps{{2, 3}});
+  recorder.push(4);
+  CHECK(recorder.steps == Steps{{0, 2}, {2, 4}});
+}
