@@ -37,8 +37,9 @@ def main():
     except ImportError:
         sys.exit("strapdown_plot.py: matplotlib is not installed")
     matplotlib.use("svg")
-    matplotlib.rcParams["svg.hashsalt"] = "splinertia"
+    matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
     import matplotlib.pyplot as plot
+    import matplotlib.ticker
 
     figure, axes = plot.subplots(figsize=(9, 5.5))
     for index, (name, label) in enumerate(NAMES.items()):
@@ -48,6 +49,8 @@ def main():
         points = [(figures[f"ns_{name}"] * rate / 1000, figures[f"error_{name}_{rate}_Hz"]) for rate in (100, 200, 400, 1000)]
         style = "--" if name.endswith("increments") else "-"
         axes.loglog(*zip(*points), style, marker="osD^v<>phX*"[index], color=f"C{index % 10}", label=label)
+    axes.set_xticks([2, 5, 10, 20, 50], labels=["2", "5", "10", "20", "50"])
+    axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     axes.set_xlabel("work for a second of data [µs], at 100, 200, 400 and 1000 Hz")
     axes.set_ylabel("largest position error in 10 s [m]")
     axes.set_title("What integration schemes cost and buy: up to 20.7 rad/s and 129 m/s²")
