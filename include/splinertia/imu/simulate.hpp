@@ -145,14 +145,12 @@ class Simulation {
 
 /// What an IMU in the body frame measures along a motion, with the error terms of `sensors`:
 ///
-///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …   // r.time, r.gyro, r.accel,
-///                                                                                          // r.gyro_bias,
-///                                                                                          r.accel_bias
+///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …
 ///
-/// and r.true_time where the stamps have errors. Random numbers come from Generator, any uniform random bit generator:
-/// simulate<std::mt19937_64>(…). A motion passed as an lvalue is referred to and must outlive the simulation; a
-/// temporary is kept inside. Throws std::invalid_argument for a rate that is not positive and finite, times outside the
-/// motion, or no bounds.
+/// with r.time, r.gyro, r.accel, r.gyro_bias, r.accel_bias, and r.true_time where the stamps have errors. Random
+/// numbers come from Generator, any uniform random bit generator: simulate<std::mt19937_64>(…). A motion passed as an
+/// lvalue is referred to and must outlive the simulation; a temporary is kept inside.
+/// Throws std::invalid_argument for a rate that is not positive and finite, times outside the motion, or no bounds.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
 [[nodiscard]] Simulation<Motion, Sensors, Generator> simulate(
