@@ -181,3 +181,10 @@ TEST_CASE("A copy is an independent continuation") {
   recorder.push(4);
   CHECK(recorder.steps == Steps{{0, 2}, {2, 4}});
 }
+
+TEST_CASE("A limit for gaps that is none is refused") {
+  using Window = SampleWindow<Midpoint, double, double>;
+  CHECK_THROWS_WITH(Window(0.0, {.longest = 0}), "integrate: the longest interval is 0 s, expected one > 0");
+  CHECK_THROWS_AS(Window(0.0, {.longest = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
+  CHECK_NOTHROW(Window(0.0, {.longest = std::numeric_limits<double>::infinity()}));
+}

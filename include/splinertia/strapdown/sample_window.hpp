@@ -38,7 +38,11 @@ class SampleWindow {
   };
   using Sample = std::conditional_t<takes_increments, Interval, TimedImuSample<Scalar, Time>>;
 
+  /// Throws std::invalid_argument unless the longest interval is > 0.
   explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {}) : last_(start), gaps_(gaps) {
+    if (!(gaps.longest > Scalar(0))) {
+      throw std::invalid_argument(message("integrate: the longest interval is ", gaps.longest, " s, expected one > 0"));
+    }
     const Vector3<Scalar> zero = Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
       samples_.fill({{zero, zero, Scalar(0)}, start});
