@@ -44,7 +44,7 @@
 #include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/preintegration_residual.hpp>
 #include <splinertia/strapdown/preintegrator.hpp>
-#include <splinertia/strapdown/rotating_frame.hpp>
+#include <splinertia/strapdown/rotating_preintegration.hpp>
 #include <splinertia/strapdown/runge_kutta4.hpp>
 #include <splinertia/strapdown/trajectory_alignment.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
