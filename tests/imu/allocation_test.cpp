@@ -2,8 +2,6 @@
 // A run of any length with every error term allocates nothing: counted in operator new, and refused by Eigen.
 #define EIGEN_RUNTIME_NO_MALLOC
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <splinertia/imu/bias_instability.hpp>
 #include <splinertia/imu/clock_drift.hpp>
 #include <splinertia/imu/clock_offset.hpp>
@@ -31,21 +29,11 @@
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
 
+#include "support/allocations.hpp"
 #include "support/catch.hpp"
 
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 using namespace splinertia;
+using testing::allocations, testing::allocations_of;
 
 namespace {
 
@@ -74,18 +62,16 @@ const ErrorModel stamps{ClockOffset{0.003}, ClockDrift{2e-5}, StampJitter{1e-4},
 const Imu everything{gyro, accel, stamps};
 
 /// What a run from 0 to `duration` allocates, from its beginning to its end, with `count` of samples that arrived.
-std::size_t allocations_of(const auto& motion, const auto& imu, double duration, std::size_t& count) {
-  Eigen::internal::set_is_malloc_allowed(false);
-  const std::size_t before = allocations;
+std::size_t allocations_of_run(const auto& motion, const auto& imu, double duration, std::size_t& count) {
   double sum = 0;
-  for (const auto& r : simulate(motion, imu, {.rate = 1000, .seed = 1, .start = 0.0, .end = duration})) {
-    sum += r.gyro.norm() + r.accel.norm() + r.gyro_bias.norm() + r.accel_bias.norm() + r.time;
-    ++count;
-  }
-  const std::size_t after = allocations;
-  Eigen::internal::set_is_malloc_allowed(true);
+  const std::size_t allocated = allocations_of([&] {
+    for (const auto& r : simulate(motion, imu, {.rate = 1000, .seed = 1, .start = 0.0, .end = duration})) {
+      sum += r.gyro.norm() + r.accel.norm() + r.gyro_bias.norm() + r.accel_bias.norm() + r.time;
+      ++count;
+    }
+  });
   CHECK(sum > 0);
-  return after - before;
+  return allocated;
 }
 
 }  // namespace
@@ -93,7 +79,7 @@ std::size_t allocations_of(const auto& motion, const auto& imu, double duration,
 TEST_CASE("A run with every error term allocates nothing") {
   CHECK(allocations > 0);  // the counter counts
   std::size_t count = 0;
-  CHECK(allocations_of(Ellipse<>{}, everything, 20, count) == 0);
+  CHECK(allocations_of_run(Ellipse<>{}, everything, 20, count) == 0);
   CHECK(count > 19'600);
   CHECK(count < 20'000);
 }
@@ -101,7 +87,7 @@ TEST_CASE("A run with every error term allocates nothing") {
 TEST_CASE("A million samples allocate nothing either") {
   std::size_t count = 0;
   const ErrorModel noise{RandomWalk{1e-3}, WhiteNoise{0.01}};
-  CHECK(allocations_of(at_rest(SO3xR3<double>{}), Imu{noise, noise}, 1000, count) == 0);
+  CHECK(allocations_of_run(at_rest(SO3xR3<double>{}), Imu{noise, noise}, 1000, count) == 0);
   CHECK(count == 1'000'001);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Integrating allocates nothing: counted in operator new, and refused by Eigen.
 #define EIGEN_RUNTIME_NO_MALLOC
-#include <cstdlib>
-#include <new>
 #include <splinertia/strapdown/coning_sculling.hpp>
 #include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>
@@ -14,34 +12,11 @@
 #include <splinertia/strapdown/zero_order_hold.hpp>
 
 #include "strapdown/convergence.hpp"
+#include "support/allocations.hpp"
 #include "support/catch.hpp"
 
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
 using namespace splinertia;
-
-namespace {
-
-std::size_t allocations_of(const auto& work) {
-  Eigen::internal::set_is_malloc_allowed(false);
-  const std::size_t before = allocations;
-  work();
-  const std::size_t after = allocations;
-  Eigen::internal::set_is_malloc_allowed(true);
-  return after - before;
-}
-
-}  // namespace
+using testing::allocations, testing::allocations_of;
 
 TEMPLATE_TEST_CASE("Integrating allocates nothing", "", Euler, ZeroOrderHold, Midpoint, Trapezoid, RungeKutta4,
                    RungeKutta4DoubleStep, Magnus4, UncorrectedIncrements, RotationCorrectedIncrements,
