@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// Elementary functions in double as fixed sequences of operations: the same to the last bit with every compiler, at
 /// every optimisation level, with and without contraction, which the ones of <cmath> are not. Relative errors are a few
-/// eps. What draws random numbers or puts errors into samples uses these: random numbers are the same everywhere, samples
-/// wherever the compiler does not contract the terms' own products and sums (-ffp-contract=off, or no FMA).
+/// eps. What draws random numbers or puts errors into samples uses these: random numbers are the same everywhere,
+/// samples wherever the compiler does not contract the terms' own products and sums (-ffp-contract=off, or no FMA).
 #pragma once
 
 #include <bit>
