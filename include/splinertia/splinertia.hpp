@@ -2,6 +2,14 @@
 /// All of splinertia. Each header also stands alone.
 #pragma once
 
+#include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/expected_accuracy.hpp>
+#include <splinertia/allan/fit_curve.hpp>
+#include <splinertia/allan/identify.hpp>
+#include <splinertia/allan/sampling.hpp>
+#include <splinertia/allan/stillness.hpp>
+#include <splinertia/allan/streaming.hpp>
+#include <splinertia/allan/unit_check.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/bias_instability.hpp>

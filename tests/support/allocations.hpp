@@ -24,10 +24,11 @@ inline std::size_t allocations_of(const auto& work) {
 
 }  // namespace splinertia::testing
 
-void* operator new(std::size_t size) {
+// Not inlined: g++ would see free() of what another operator new may have made, and warn.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++splinertia::testing::allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }

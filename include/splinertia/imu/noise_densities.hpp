@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cmath>
-#include <splinertia/imu/per_axis.hpp>
+#include <splinertia/require.hpp>
 #include <type_traits>
 
 namespace splinertia {

@@ -5,34 +5,10 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <splinertia/finite.hpp>
 #include <splinertia/group/lie_group.hpp>
-#include <splinertia/message.hpp>
-#include <stdexcept>
-#include <type_traits>
+#include <splinertia/require.hpp>
 
 namespace splinertia {
-
-/// Throws std::invalid_argument, naming the term, its parameter, the value and what was expected, unless `good`.
-template <typename Scalar>
-constexpr void require(bool good, const char* term, const char* parameter, const Scalar& value, const char* expected) {
-  if (!good) throw std::invalid_argument(message(term, ": ", parameter, " is ", value, ", expected ", expected));
-}
-
-template <typename Scalar>
-constexpr void require_finite(const char* term, const char* parameter, const Scalar& value) {
-  require(is_finite(value), term, parameter, value, "a finite number");
-}
-
-template <typename Scalar>
-constexpr void require_non_negative(const char* term, const char* parameter, const Scalar& value) {
-  require(is_finite(value) && value >= Scalar(0), term, parameter, value, "a finite number >= 0");
-}
-
-template <typename Scalar>
-constexpr void require_positive(const char* term, const char* parameter, const Scalar& value) {
-  require(is_finite(value) && value > Scalar(0), term, parameter, value, "a finite number > 0");
-}
 
 /// A parameter of a three-axis sensor: one value for all axes or one for each.
 template <typename Scalar_>

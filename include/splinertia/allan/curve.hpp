@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// A deviation over averaging time, with intervals:
+///
+///   auto curve = allan::overlapping(signal, 200.0);
+///   curve.points[3].tau, .deviation, .interval.lower, .interval.upper
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <splinertia/allan/averaging_factors.hpp>
+#include <splinertia/allan/chi_square.hpp>
+#include <splinertia/allan/degrees_of_freedom.hpp>
+#include <splinertia/allan/deviations.hpp>
+#include <splinertia/allan/integrated_signal.hpp>
+#include <splinertia/allan/interval.hpp>
+#include <splinertia/allan/noise_type.hpp>
+#include <string_view>
+#include <vector>
+
+namespace splinertia::allan {
+
+template <typename Scalar>
+struct CurvePoint {
+  std::int64_t factor;        ///< m, samples that are averaged
+  Scalar tau;                 ///< averaging time m/rate, s
+  std::int64_t terms;         ///< differences that were averaged
+  Scalar deviation;           ///< unit of the signal; TDEV: times s
+  int alpha;                  ///< power law of the spectrum about this tau (noise_type)
+  Scalar degrees_of_freedom;  ///< of the deviation's square, as of chi-square
+  Interval<Scalar> interval;  ///< of the true deviation
+};
+
+template <typename Scalar>
+struct Curve {
+  std::string_view name;  ///< adev, oadev …
+  Scalar rate;            ///< Hz
+  std::int64_t samples;   ///< of the rate signal
+  Scalar mean;            ///< of the rate signal, in its unit
+  Scalar confidence;      ///< of the intervals
+  std::vector<CurvePoint<Scalar>> points;
+};
+
+template <typename Scalar>
+struct CurveOptions {
+  AveragingFactors factors = AveragingFactors::logarithmic();
+  Scalar confidence = one_sigma<Scalar>;
+  std::optional<int> alpha{};  ///< take all points as this power law, instead of identifying it
+  /// Degrees of freedom as published (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals compare with
+  /// others'; PhaseModel::sampled is exact for the samples of an IMU, and up to 17 % different below m = 30.
+  PhaseModel phase_model = PhaseModel::greenhall_riley;
+};
+
+/// The degrees of freedom of a deviation at factor m of n samples.
+template <Deviation D>
+[[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, PhaseModel model) {
+  if constexpr (std::same_as<D, TotalDeviation>) {
+    return total_degrees_of_freedom(alpha, m, n);
+  } else {
+    return equivalent_degrees_of_freedom({D::differences, D::modified}, alpha, m, D::terms(n, m),
+                                         D::overlapping ? 1 : m, model);
+  }
+}
+
+/// The least alpha for which D converges: steeper noise is taken as this one where degrees of freedom are concerned.
+template <Deviation D>
+inline constexpr int steepest_power_law = 2 - 2 * D::differences;
+
+/// The curve of one kind of deviation (deviations.hpp) over a signal. Throws std::invalid_argument for a factor that is
+/// outside the data and a confidence not between 0 and 1.
+template <Deviation D, typename Scalar>
+[[nodiscard]] Curve<Scalar> curve(const IntegratedSignal<Scalar>& signal, const CurveOptions<Scalar>& options = {}) {
+  const std::int64_t n = signal.samples();
+  const auto factors = options.factors.up_to(D::largest_factor(n));
+  const auto values = deviations<D>(signal, factors);
+  Curve<Scalar> result{D::name, signal.rate(), n, signal.mean(), options.confidence, {}};
+  result.points.reserve(factors.size());
+  for (std::size_t j = 0; j < factors.size(); ++j) {
+    const std::int64_t m = factors[j];
+    const int alpha = options.alpha ? *options.alpha : noise_type(signal, m);
+    const int converging = options.alpha ? alpha : std::max(alpha, steepest_power_law<D>);
+    const auto freedom = static_cast<Scalar>(degrees_of_freedom<D>(converging, m, n, options.phase_model));
+    result.points.push_back({m, static_cast<Scalar>(m) / signal.rate(), D::terms(n, m), values[j], alpha, freedom,
+                             deviation_interval(values[j], freedom, options.confidence)});
+  }
+  return result;
+}
+
+/// Of a rate signal at `rate` samples a second; throws as IntegratedSignal does, too.
+template <Deviation D, Signal S>
+[[nodiscard]] Curve<ScalarOfSignal<S>> curve(const S& signal, ScalarOfSignal<S> rate,
+                                             const CurveOptions<ScalarOfSignal<S>>& options = {}) {
+  return curve<D>(IntegratedSignal<ScalarOfSignal<S>>(signal, rate), options);
+}
+
+/// The overlapping Allan deviation, which is the one to look at.
+template <Signal S>
+[[nodiscard]] Curve<ScalarOfSignal<S>> overlapping(const S& signal, ScalarOfSignal<S> rate,
+                                                   const CurveOptions<ScalarOfSignal<S>>& options = {}) {
+  return curve<OverlappingAllanDeviation>(signal, rate, options);
+}
+
+}  // namespace splinertia::allan

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <splinertia/allan/integrated_signal.hpp>
+#include <unsupported/Eigen/FFT>
+#include <utility>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// The largest length ≤ n that a fast Fourier transform takes in few steps: no prime factor above 13, which leaves out
+/// 0.1 % of a log on average; any n up to 1024.
+[[nodiscard]] inline std::int64_t transform_length(std::int64_t n) {
+  const auto quick = [](std::int64_t length) {
+    for (const std::int64_t prime : {2, 3, 5, 7, 11, 13}) {
+      while (length % prime == 0) length /= prime;
+    }
+    return length == 1;
+  };
+  while (n > 1024 && !quick(n)) --n;
+  return n;
+}
+
+/// The sine transform DST-I of n − 1 numbers d_1 … d_{n−1}, orthonormal: b_k = √(2/n) Σ_i d_i sin(πik/n).
+/// By a complex transform of length n of the odd continuation of d, even and odd places packed together.
+template <typename Scalar>
+[[nodiscard]] std::vector<Scalar> sine_transform(const std::vector<Scalar>& d) {
+  using Complex = std::complex<Scalar>;
+  const std::size_t n = d.size() + 1;
+  const auto odd = [&](std::size_t i) { return i == 0 || i == n ? Scalar(0) : i < n ? d[i - 1] : -d[2 * n - i - 1]; };
+  std::vector<Complex> packed(n), transformed(n);
+  for (std::size_t j = 0; j < n; ++j) packed[j] = {odd(2 * j), odd(2 * j + 1)};
+  Eigen::FFT<Scalar>().fwd(transformed.data(), packed.data(), static_cast<Eigen::Index>(n));
+  std::vector<Scalar> b(n - 1);
+  const Scalar scale = 1 / std::sqrt(8 * static_cast<Scalar>(n));
+  const Scalar per_sine = std::numbers::pi_v<Scalar> / static_cast<Scalar>(n);
+  for (std::size_t k = 1; k < n; ++k) {
+    const Complex z = transformed[k], mirrored = std::conj(transformed[n - k]);
+    const Complex even = z + mirrored, odd_times_i = z - mirrored;
+    const Scalar angle = per_sine * static_cast<Scalar>(k);
+    // Twice the transform of the odd sequence, which is −2i Σ d sin(…), is even − i e^(−i angle) odd_times_i.
+    b[k - 1] = (std::cos(angle) * odd_times_i.real() + std::sin(angle) * odd_times_i.imag() - even.imag()) * scale;
+  }
+  return b;
+}
+
+/// The spectrum of a signal's differences y_{i+1} − y_i on sines, on which white noise and random walk are exactly
+/// independent: the covariance of the differences is q·1 + r·tridiag(−1, 2, −1), whose eigenvectors these are. b_k has
+/// mean square Σ_term coefficient·basis_k(term) and, of a ramp with slope c a sample, the mean c·w_k.
+///
+/// Neighbouring b_k are put into bins no wider than 1/64 of their frequency (the first 128 stay alone), within which
+/// the expected power is all but constant.
+template <typename Scalar>
+class DifferenceSpectrum {
+ public:
+  /// N²·rate, K²/rate, B², Q²·rate², in the order of NoiseTerm.
+  static constexpr std::size_t powers = 4;
+
+  struct Bin {
+    Scalar frequency;                  ///< centre, Hz
+    Scalar count;                      ///< of b_k
+    Scalar power;                      ///< Σ b_k², in unit()²
+    Scalar ramp_product, ramp_square;  ///< Σ b_k w_k and Σ w_k²
+    std::array<Scalar, powers> basis;  ///< means over the bin: 4s², 1, 2s, 16s⁴ with s = sin(πf/rate)
+  };
+
+  /// Time O(n log n), memory 5n scalars while it works.
+  explicit DifferenceSpectrum(const IntegratedSignal<Scalar>& signal) : rate_(signal.rate()), unit_(signal.unit()) {
+    const auto n = static_cast<std::size_t>(transform_length(signal.samples()));
+    samples_ = static_cast<std::int64_t>(n);
+    std::vector<Scalar> differences(n - 1);
+    const auto& x = signal.sums();
+    for (std::size_t i = 0; i + 1 < n; ++i) differences[i] = (x[i + 2] - x[i + 1]) - (x[i + 1] - x[i]);
+    const auto b = sine_transform(differences);
+    const Scalar per_sine = std::numbers::pi_v<Scalar> / (2 * static_cast<Scalar>(n));
+    const Scalar ramp_scale = std::sqrt(2 / static_cast<Scalar>(n));
+    for (std::size_t k = 1; k < n;) {
+      const std::size_t end = std::min(n, k + std::max<std::size_t>(1, k / 64));
+      Bin bin{};
+      bin.count = static_cast<Scalar>(end - k);
+      bin.frequency = static_cast<Scalar>(k + end - 1) * rate_ / (4 * static_cast<Scalar>(n));
+      for (; k < end; ++k) {
+        const Scalar angle = per_sine * static_cast<Scalar>(k);
+        const Scalar sine = std::sin(angle), chord = 2 * sine, b_k = b[k - 1];
+        bin.power += b_k * b_k;
+        if (k % 2 == 1) {
+          const Scalar w = ramp_scale * std::cos(angle) / sine;
+          bin.ramp_product += b_k * w;
+          bin.ramp_square += w * w;
+        }
+        bin.basis[0] += chord * chord;
+        bin.basis[1] += 1;
+        bin.basis[2] += chord;
+        bin.basis[3] += chord * chord * chord * chord;
+      }
+      for (Scalar& mean : bin.basis) mean /= bin.count;
+      bins_.push_back(bin);
+    }
+  }
+
+  [[nodiscard]] const std::vector<Bin>& bins() const { return bins_; }
+  [[nodiscard]] Scalar rate() const { return rate_; }              ///< Hz
+  [[nodiscard]] Scalar unit() const { return unit_; }              ///< in the unit of the signal
+  [[nodiscard]] std::int64_t samples() const { return samples_; }  ///< read of the signal: transform_length()
+
+ private:
+  Scalar rate_;
+  Scalar unit_;
+  std::int64_t samples_;
+  std::vector<Bin> bins_;
+};
+
+}  // namespace splinertia::allan

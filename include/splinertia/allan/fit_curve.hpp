@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <splinertia/allan/chi_square.hpp>
+#include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/noise_estimates.hpp>
+#include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/allan/non_negative_solution.hpp>
+#include <splinertia/allan/spectral_fit.hpp>
+#include <splinertia/message.hpp>
+#include <splinertia/require.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace splinertia::allan {
+
+/// Weighted least squares of an Allan variance curve: σ²(τ) = 3Q²/τ² + N²/τ + (2 ln 2/π)B² + K²τ/3 + R²τ²/2, IEEE Std
+/// 952-1997, C.1, all coefficients ≥ 0.
+///
+/// A point weighs edf/(2σ⁴), σ of the model and not of the point: weights from the data favour what is low by chance,
+/// which takes a quarter off K. Neighbouring points say partly the same; how much is found from the model's spectrum
+/// and counted in the standard errors, not in the weights.
+template <typename Scalar>
+class CurveFit {
+ public:
+  static constexpr int size = 5;
+  using Vector = Eigen::Matrix<Scalar, size, 1>;
+  using Matrix = Eigen::Matrix<Scalar, size, size>;
+
+  explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0) {
+    if (curve.name != "adev" && curve.name != "oadev") {
+      throw std::invalid_argument(
+          message("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev"));
+    }
+    for (const auto& point : curve.points) unit_ = std::max(unit_, point.deviation);
+    if (curve.points.size() < 2 || !(unit_ > 0)) {
+      throw std::invalid_argument(
+          message("fit_curve: ", curve.points.size(), " points, expected at least 2, and a deviation above zero"));
+    }
+    const auto count = static_cast<Eigen::Index>(curve.points.size());
+    basis_.resize(count, size);
+    variance_.resize(count);
+    freedom_.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto& point = curve.points[static_cast<std::size_t>(i)];
+      for (const NoiseTerm term : noise_terms) {
+        basis_(i, static_cast<Eigen::Index>(term)) = allan_variance(term, point.tau);
+      }
+      variance_[i] = (point.deviation / unit_) * (point.deviation / unit_);
+      freedom_[i] = point.degrees_of_freedom;
+    }
+  }
+
+  struct Result {
+    Vector theta;            ///< squares of N, K, B, Q, R, in unit()²
+    Vector standard_errors;  ///< of theta; zero for terms that the model does not have
+  };
+
+  [[nodiscard]] Result fit(NoiseTerms terms) const {
+    constexpr int most_steps = 100;
+    Result result;
+    // The first weights are those of a model that goes through the data.
+    Column model = variance_.max(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
+    Vector before = Vector::Zero();
+    for (int i = 0; i < most_steps; ++i) {
+      result.theta = solve(terms, model);
+      model = expected(result.theta);
+      const Column change = (basis_ * (result.theta - before)).array().abs() / model;
+      if (change.maxCoeff() < Scalar(1e-9)) break;
+      before = result.theta;
+    }
+    result.standard_errors = standard_errors(terms, result.theta, model);
+    return result;
+  }
+
+  /// How many standard errors a term of a model is above zero, of those it would have if it were zero: with weights and
+  /// correlations of the model without it. Those that it has as it is grow with it, and would hide it.
+  [[nodiscard]] Scalar significance(NoiseTerms terms, NoiseTerm term) const {
+    const auto j = static_cast<Eigen::Index>(term);
+    const Vector without = fit(terms.without(term)).theta;
+    const Column model = expected(without);
+    const Scalar error = standard_errors(terms, without, model)[j];
+    return error > 0 ? solve(terms, model)[j] / error : Scalar(0);
+  }
+
+  [[nodiscard]] Scalar unit() const { return unit_; }
+
+ private:
+  using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+  using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, size>;
+  using Square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+
+  [[nodiscard]] Column expected(const Vector& theta) const {
+    return (basis_ * theta).array().max(std::numeric_limits<Scalar>::min());
+  }
+
+  /// One step of least squares with the weights of a model.
+  [[nodiscard]] Vector solve(NoiseTerms terms, const Column& model) const {
+    unsigned candidates = 0;
+    for (const NoiseTerm term : noise_terms) {
+      if (terms.has(term)) candidates |= 1u << static_cast<unsigned>(term);
+    }
+    const Column weights = freedom_ / (2 * model.square());
+    const Matrix information = basis_.transpose() * weights.matrix().asDiagonal() * basis_;
+    const Vector product = basis_.transpose() * (weights * variance_).matrix();
+    return non_negative_solution<Scalar, size>(information, product, candidates);
+  }
+
+  /// Of weighted least squares with correlated errors: (XᵀWX)⁻¹ XᵀW C WX (XᵀWX)⁻¹ over the terms of the model.
+  [[nodiscard]] Vector standard_errors(NoiseTerms terms, const Vector& theta, const Column& model) const {
+    const Column weights = freedom_ / (2 * model.square());
+    const Square root_covariance = weights.sqrt().inverse().matrix().asDiagonal();
+    const Square covariance = root_covariance * correlations(theta) * root_covariance;
+    const Rows weighted = weights.matrix().asDiagonal() * basis_;
+    Matrix information = basis_.transpose() * weighted;
+    Matrix scatter = weighted.transpose() * covariance * weighted;
+    Vector scale = information.diagonal().cwiseSqrt().cwiseInverse();
+    information = scale.asDiagonal() * information * scale.asDiagonal();
+    scatter = scale.asDiagonal() * scatter * scale.asDiagonal();
+    for (const NoiseTerm term : noise_terms) {
+      const auto j = static_cast<Eigen::Index>(term);
+      if (terms.has(term)) continue;
+      information.row(j).setZero();
+      information.col(j).setZero();
+      information(j, j) = 1;
+      scatter.row(j).setZero();
+      scatter.col(j).setZero();
+    }
+    const Matrix inverse = information.fullPivLu().inverse();
+    return scale.cwiseProduct((inverse * scatter * inverse).diagonal().cwiseMax(Scalar(0)).cwiseSqrt());
+  }
+
+  /// Of the points' variances: ∫ S² H_i H_j df with S the model's spectrum and H = sin⁴(πfτ)/(πfτ)² what a deviation
+  /// sees of it, normalised (SP 1065, 5.14, for S; Percival, Walden, "Wavelet Methods", 8.3, for the integral).
+  [[nodiscard]] Square correlations(const Vector& theta) const {
+    constexpr int per_octave = 40;
+    const Scalar pi = std::numbers::pi_v<Scalar>;
+    const Scalar highest = curve_.rate / 2, lowest = 1 / (32 * curve_.points.back().tau);
+    const int count = per_octave * (1 + static_cast<int>(std::log2(highest / lowest)));
+    Square seen(basis_.rows(), count);
+    for (int k = 0; k < count; ++k) {
+      const Scalar f = highest * std::exp2(-static_cast<Scalar>(k) / per_octave);
+      const Scalar w = 2 * pi * f;
+      // A ramp has no spectrum; what is left of it is a walk of the same variance at the longest tau.
+      const Scalar tau = curve_.points.back().tau;
+      const Scalar spectrum =
+          theta[0] + (theta[1] + theta[4] * tau * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
+      for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
+        const Scalar x = pi * f * curve_.points[static_cast<std::size_t>(i)].tau;
+        const Scalar sine = std::sin(x);
+        seen(i, k) = spectrum * std::sqrt(f) * (sine * sine / x) * (sine * sine / x);
+      }
+    }
+    const Column norms = seen.rowwise().norm().array().max(std::numeric_limits<Scalar>::min());
+    const Square normalised = norms.inverse().matrix().asDiagonal() * seen;
+    return normalised * normalised.transpose();
+  }
+
+  const Curve<Scalar>& curve_;
+  Scalar unit_;
+  Rows basis_;
+  Column variance_, freedom_;
+};
+
+/// N, K, B, Q and R of a curve alone, where there is no signal for identify(): one that was read from a paper, or came
+/// from a stream. `candidates` are tried together; those not significant at 1 % are taken out one by one. The intervals
+/// are those of squares with as many degrees of freedom as the standard error says: less exact than identify()'s, and
+/// the estimates of long-term terms scatter more. Throws std::invalid_argument for another curve than of adev or oadev,
+/// fewer than two points, and as identify() does.
+template <typename Scalar>
+[[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
+                                               Scalar confidence = Scalar(95) / 100) {
+  require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence, "a number between 0 and 1");
+  if (candidates.empty()) throw std::invalid_argument("fit_curve: no candidates, expected a noise term");
+  const CurveFit<Scalar> fit(curve);
+  const Scalar detection = std::sqrt(chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
+  NoiseTerms model = candidates;
+  // In this order, so that of terms that explain the same it is the walk that stays, which estimators model.
+  for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::quantization, NoiseTerm::bias_instability,
+                               NoiseTerm::random_walk, NoiseTerm::white}) {
+    if (!model.has(term) || model == NoiseTerms{term} || fit.significance(model, term) >= detection) continue;
+    model = model.without(term);
+  }
+  const auto result = fit.fit(model);
+  NoiseEstimates<Scalar> estimates;
+  estimates.highest_frequency = curve.rate / 2;
+  for (const NoiseTerm term : noise_terms) {
+    if (!candidates.has(term)) continue;
+    const auto j = static_cast<Eigen::Index>(term);
+    const auto with_term = model.has(term) ? result : fit.fit(model.with(term));
+    const Scalar theta = with_term.theta[j], error = with_term.standard_errors[j];
+    Estimate<Scalar>& estimate = estimates[term];
+    estimate.detected = model.has(term) && theta > 0;
+    const auto within = [&](Scalar level) {
+      if (estimate.detected) {
+        const Scalar freedom = 2 * (theta / error) * (theta / error);
+        return deviation_interval(std::sqrt(theta) * fit.unit(), freedom, level);
+      }
+      const Scalar half = std::sqrt(chi_square_quantile(level, Scalar(1))) * error;
+      return Interval<Scalar>{Scalar(0), std::sqrt(theta + half) * fit.unit()};
+    };
+    estimate.value = std::sqrt(theta) * fit.unit();
+    estimate.interval = within(confidence);
+    estimate.one_sigma = within(one_sigma<Scalar>);
+  }
+  return estimates;
+}
+
+}  // namespace splinertia::allan

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <splinertia/allan/integrated_signal.hpp>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// What noise_type() reads: at least so many averages, and no more than the first so many.
+inline constexpr std::int64_t fewest_averages = 30, most_averages = std::int64_t{1} << 16;
+
+/// The power law of n averages, differenced d = 0, 1 or 2 times, whose sums of squares and of products with the next,
+/// both about their mean, are lag0 and lag1; nothing if they have to be differenced once more.
+template <typename Scalar>
+[[nodiscard]] std::optional<int> power_law(Scalar lag0, Scalar lag1, Scalar n, int d) {
+  constexpr int most_differences = 2, steepest = -4;
+  if (!(lag0 > 0)) return -2 * d;  // averages that do not differ have no slope
+  // The share (n − 1)/n is what Stable32 has: with it the alphas of its published tables come out alike.
+  // No stationary noise has less than −1/2 after differencing what has to be; a beat of period 2 does.
+  const Scalar r1 = std::max(lag1 / lag0 * (n - 1) / n, Scalar(-1) / 2);
+  const Scalar delta = r1 / (1 + r1);
+  if (delta >= Scalar(1) / 4 && d < most_differences) return std::nullopt;
+  return std::max(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift is steeper still
+}
+
+/// Which power law f^alpha the spectrum of the averages over m samples looks like, from their autocorrelation at lag 1
+/// (Riley and Greenhall, "Power law noise identification using the lag 1 autocorrelation", EFTF 2004). For an IMU:
+///
+///   alpha   2 or 1             0            −1                     −2            −3, −4
+///           quantization (Q)   white (N)    bias instability (B)   walk (K)      ramp (R), drift
+///
+/// At least 30 averages are needed; for longer m, and shorter logs, this is what the longest m with so many says, white
+/// if there is none or it says 1 or 2: of 30 averages of white noise every seventh set does, by chance, and intervals
+/// that believe it are several times too narrow. Of more than 2¹⁶ averages the first 2¹⁶ are read: the standard error
+/// of the slope is below 0.02 then.
+template <typename Scalar>
+[[nodiscard]] int noise_type(const IntegratedSignal<Scalar>& signal, std::int64_t m) {
+  const std::int64_t longest = signal.samples() / fewest_averages;
+  if (longest < 1) return 0;
+  if (m > longest) return std::min(noise_type(signal, longest), 0);
+  const std::int64_t count = std::min(signal.samples() / m, most_averages);
+  std::vector<Scalar> z(static_cast<std::size_t>(count));
+  const auto& x = signal.sums();
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const auto begin = i * static_cast<std::size_t>(m);
+    z[i] = x[begin + static_cast<std::size_t>(m)] - x[begin];
+  }
+  for (int d = 0;; ++d) {
+    Scalar mean = 0;
+    for (const Scalar& value : z) mean += value;
+    const auto n = static_cast<Scalar>(z.size());
+    mean /= n;
+    Scalar lag0 = 0, lag1 = 0;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      lag0 += (z[i] - mean) * (z[i] - mean);
+      if (i > 0) lag1 += (z[i] - mean) * (z[i - 1] - mean);
+    }
+    if (const auto alpha = power_law(lag0, lag1, n, d)) return *alpha;
+    for (std::size_t i = 0; i + 1 < z.size(); ++i) z[i] = z[i + 1] - z[i];
+    z.pop_back();
+  }
+}
+
+}  // namespace splinertia::allan

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+/// How parameters are checked.
+#pragma once
+
+#include <splinertia/finite.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+
+namespace splinertia {
+
+/// Throws std::invalid_argument, naming whose parameter it is (an error term, a function), the parameter, the value and
+/// what was expected, unless `good`.
+template <typename Scalar>
+constexpr void require(bool good, const char* whose, const char* parameter, const Scalar& value, const char* expected) {
+  if (!good) throw std::invalid_argument(message(whose, ": ", parameter, " is ", value, ", expected ", expected));
+}
+
+template <typename Scalar>
+constexpr void require_finite(const char* whose, const char* parameter, const Scalar& value) {
+  require(is_finite(value), whose, parameter, value, "a finite number");
+}
+
+template <typename Scalar>
+constexpr void require_non_negative(const char* whose, const char* parameter, const Scalar& value) {
+  require(is_finite(value) && value >= Scalar(0), whose, parameter, value, "a finite number >= 0");
+}
+
+template <typename Scalar>
+constexpr void require_positive(const char* whose, const char* parameter, const Scalar& value) {
+  require(is_finite(value) && value > Scalar(0), whose, parameter, value, "a finite number > 0");
+}
+
+}  // namespace splinertia
