@@ -19,9 +19,10 @@ class Progress {
     if (drawn_) std::fputs("\r\033[K", stderr);
   }
 
-  void advance() {
+  void advance(std::size_t amount = 1) {
+    done_ += amount;
     // Looking at the clock is not free; once in a thousand steps is often enough.
-    if (++done_ % 1024 != 0 || !watched_) return;
+    if (++steps_ % 1024 != 0 || !watched_) return;
     const auto now = Clock::now();
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(200);
@@ -38,6 +39,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   std::size_t total_;
   std::size_t done_ = 0;
+  std::size_t steps_ = 0;
   bool watched_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();

@@ -43,7 +43,7 @@ struct NoiseEstimates {
   Estimate<Scalar> R;  ///< rate ramp, unit/s, without its sign
 
   Scalar highest_frequency{};          ///< up to which the log was used, Hz; rate/2 if the model holds that far
-  bool fits = false;                   ///< the power agrees with the model in each octave where white noise rules
+  bool fits = false;                   ///< the power agrees with the model, at least in the octaves that white noise rules
   std::vector<BandFit<Scalar>> bands;  ///< octaves, from the highest down
 
   [[nodiscard]] const Estimate<Scalar>& operator[](NoiseTerm term) const {

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// What a log of an IMU at rest says about its noise: a log goes in, N, K, B, Q and R with intervals, the curves they
+// are read from and Kalibr's imu.yaml come out. `allan deviation` computes one deviation of one column of numbers.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <splinertia/allan/curve.hpp>
+#include <splinertia/io/number_text.hpp>
+#include <splinertia/io/text_file.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "support/allan_analysis.hpp"
+#include "support/imu_log.hpp"
+#include "support/python_script.hpp"
+
+using namespace splinertia;
+
+namespace {
+
+struct Options {
+  std::filesystem::path log;
+  ImuLogOptions reading;
+  std::vector<std::string> terms{"N", "K", "B", "Q", "R"};
+  allan::IdentifyOptions<double> identify;
+  std::filesystem::path output = ".";
+  bool no_plot = false;
+};
+
+struct DeviationOptions {
+  std::filesystem::path file;
+  std::string type = "oadev", factors = "octave", intervals = "published";
+  double rate = 1;
+  bool rate_data = false, phase_data = false;
+  double confidence = 0.683;  // Stable32's; one sigma is 0.6827
+  std::optional<int> alpha;
+};
+
+allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
+  allan::NoiseTerms terms;
+  for (const allan::NoiseTerm term : allan::noise_terms) {
+    if (std::find(symbols.begin(), symbols.end(), symbol(term)) != symbols.end()) terms = terms.with(term);
+  }
+  return terms;
+}
+
+void plot(const Options& o) {
+  try {
+    PythonScript(o.reading.python, "plot_allan.py", {o.output.string()}, PythonScript::Output::shared).finish();
+    std::printf("wrote allan.png and allan.svg to %s\n", o.output.string().c_str());
+  } catch (const ScriptFailed&) {  // the plot is an extra, and why there is none has been said
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "no plot: %s\n", error.what());
+  }
+}
+
+void analyse_log(Options o) {
+  o.identify.candidates = terms_of(o.terms);
+  const ImuLog log = read_imu_log(o.log, o.reading);
+  const LogNoise noise = analyse(log, o.identify);
+  for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
+  print_report(log, noise);
+  write_files(noise, o.output);
+  if (!o.no_plot) plot(o);
+}
+
+allan::AveragingFactors factors_of(const std::string& text) {
+  if (text == "all") return allan::AveragingFactors::all();
+  if (text == "octave") return allan::AveragingFactors::octave();
+  if (text == "decade") return allan::AveragingFactors::decade();
+  if (text == "log") return allan::AveragingFactors::logarithmic();
+  std::vector<std::string_view> words;
+  split_fields(text, words);
+  if (words.empty()) words.push_back(text);
+  std::vector<std::int64_t> factors;
+  for (const std::string_view word : words) {
+    const Parsed<std::int64_t> factor = parse_integer(word);
+    if (factor.problem) {
+      throw std::invalid_argument(
+          message("--factors: ", excerpt(word), ' ', factor.problem, ", expected all, octave, decade, log or 1,2,5"));
+    }
+    factors.push_back(factor.value);
+  }
+  return allan::AveragingFactors::given(std::move(factors));
+}
+
+using Curve = allan::Curve<double>;
+using Signal = allan::IntegratedSignal<double>;
+using Settings = allan::CurveOptions<double>;
+const std::map<std::string, Curve (*)(const Signal&, const Settings&)> deviations{
+    {"adev", allan::curve<allan::AllanDeviation, double>},
+    {"oadev", allan::curve<allan::OverlappingAllanDeviation, double>},
+    {"mdev", allan::curve<allan::ModifiedAllanDeviation, double>},
+    {"tdev", allan::curve<allan::TimeDeviation, double>},
+    {"hdev", allan::curve<allan::HadamardDeviation, double>},
+    {"ohdev", allan::curve<allan::OverlappingHadamardDeviation, double>},
+    {"totdev", allan::curve<allan::TotalDeviation, double>}};
+
+std::string text_of(double value) {
+  std::array<char, number_text_size> text{};
+  return {text.data(), real_to_chars(text.data(), value)};
+}
+
+void print_deviation(const DeviationOptions& o) {
+  Settings settings{.factors = factors_of(o.factors), .confidence = o.confidence, .alpha = o.alpha};
+  if (o.intervals == "exact") settings.phase_model = allan::PhaseModel::sampled;
+  const std::vector<double> numbers = read_numbers(o.file);
+  const auto curve_of = [&] {
+    try {
+      const Signal signal = o.phase_data ? Signal::from_integral(numbers, o.rate) : Signal(numbers, o.rate);
+      return deviations.at(o.type)(signal, settings);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(message(o.file.string(), ": ", error.what()));
+    }
+  };
+  const Curve curve = curve_of();
+  std::puts("m,tau,n,deviation,lower,upper,alpha");
+  for (const auto& point : curve.points) {
+    std::printf("%s,%s,%s,%s,%s,%s,%d\n", std::to_string(point.factor).c_str(), text_of(point.tau).c_str(),
+                std::to_string(point.terms).c_str(), text_of(point.deviation).c_str(),
+                text_of(point.interval.lower).c_str(), text_of(point.interval.upper).c_str(), point.alpha);
+  }
+}
+
+void add_options(CLI::App& app, Options& o) {
+  ImuLogOptions& reading = o.reading;
+  reading.python = default_python();
+  app.add_option("log", o.log,
+                 "of an IMU at rest: EuRoC csv, another table (--columns), or a ROS bag (.bag, .mcap, a ROS 2 folder)");
+  app.add_option("--columns", reading.columns,
+                 "of a table, such as t,gx,gy,gz,-,ax,ay,az: time, gyroscope, accelerometer, - for what is not wanted; "
+                 "default: those of EuRoC")
+      ->delimiter(',');
+  app.add_option("--rate", reading.rate, "samples a second [Hz], for a table without times");
+  app.add_option("--time-unit", reading.time_unit, "of column t; default: s with --columns, else ns")
+      ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
+  app.add_option("--gyro-unit", reading.gyro_unit, "default: rad/s")->check(CLI::IsMember({"rad/s", "deg/s"}));
+  app.add_option("--accel-unit", reading.accel_unit, "default: m/s2")->check(CLI::IsMember({"m/s2", "g", "mg"}));
+  app.add_option("--skip", reading.skip, "leave out the beginning, for the sensor to warm up [s]")
+      ->capture_default_str();
+  app.add_option("--most-missing", reading.limits.missing, "share of the samples that may be missing")
+      ->capture_default_str();
+  app.add_option("--most-jitter", reading.limits.jitter, "of the intervals, rms, as a share of one")
+      ->capture_default_str();
+  app.add_option("--topic", reading.topic, "of a ROS bag that has several with IMU messages");
+  app.add_option("--terms", o.terms, "that may be in it")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"N", "K", "B", "Q", "R"}))
+      ->capture_default_str();
+  app.add_option("--confidence", o.identify.confidence, "of the intervals and limits of N, K, B, Q, R")
+      ->capture_default_str();
+  app.add_option("--highest-frequency", o.identify.highest_frequency,
+                 "ignore what is above [Hz]; default: all that white noise describes");
+  app.add_option("-o,--output", o.output, "folder for curves.csv, noise.csv, imu.yaml (Kalibr), allan.png and .svg")
+      ->capture_default_str();
+  app.add_flag("--no-plot", o.no_plot, "no allan.png and .svg, which need Python with matplotlib");
+  app.add_option("--python", reading.python, "for plots and ROS bags; default: $SPLINERTIA_PYTHON or python3")
+      ->capture_default_str();
+}
+
+void add_deviation_options(CLI::App& app, DeviationOptions& o) {
+  app.add_option("file", o.file, "a number a line, # comments; - is the standard input")->required();
+  app.add_option("--type", o.type, "of deviation")->check(CLI::IsMember(deviations))->capture_default_str();
+  app.add_option("--rate", o.rate, "samples a second [Hz]")->capture_default_str();
+  auto* phase = app.add_flag("--phase-data", o.phase_data, "the numbers are integrals (phase [s], angle)");
+  app.add_flag("--rate-data", o.rate_data, "the numbers are rates (the default)")->excludes(phase);
+  app.add_option("--factors", o.factors, "samples to average over: all, octave, decade, log, or numbers: 1,2,5")
+      ->capture_default_str();
+  app.add_option("--confidence", o.confidence, "of the intervals")->capture_default_str();
+  app.add_option("--intervals", o.intervals,
+                 "published: as Greenhall and Riley 2003, and with them Stable32; exact: of numbers that are samples")
+      ->check(CLI::IsMember({"published", "exact"}))
+      ->capture_default_str();
+  app.add_option("--alpha", o.alpha, "power law of the spectrum, for the intervals; default: identified at each factor")
+      ->check(CLI::Range(-4, 2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "The noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q and rate "
+      "ramp R\nof each axis, with intervals, or limits of what is not there; the Allan deviations; and an imu.yaml for "
+      "Kalibr."};
+  Options options;
+  add_options(app, options);
+  DeviationOptions deviation_options;
+  CLI::App* deviation = app.add_subcommand("deviation", "One kind of deviation of a column of numbers, as a table.");
+  add_deviation_options(*deviation, deviation_options);
+  try {
+    app.parse(argc, argv);
+    if (deviation->parsed() != options.log.empty()) {
+      throw std::invalid_argument("expected one log, or deviation (--help)");
+    }
+    deviation->parsed() ? print_deviation(deviation_options) : analyse_log(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const ScriptFailed&) {
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "allan: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}

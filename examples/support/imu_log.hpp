@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Static IMU logs as columns of numbers: EuRoC files, other tables, ROS bags.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <splinertia/allan/sampling.hpp>
+#include <splinertia/imu/describe.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// How to read one.
+struct ImuLogOptions {
+  /// What the columns of a table hold: t, gx, gy, gz, ax, ay, az, or - for what is not wanted. Empty: those of EuRoC,
+  /// t,gx,gy,gz,ax,ay,az, or without t if there is a rate.
+  std::vector<std::string> columns;
+  std::optional<double> rate;                  ///< Hz, if there is no column t
+  std::optional<std::string> time_unit;        ///< s, ms, us or ns; default: ns of EuRoC's columns, s of others
+  std::optional<std::string> gyro_unit;        ///< rad/s or deg/s; default: rad/s if that can be
+  std::optional<std::string> accel_unit;       ///< m/s2, g or mg; default: m/s2 if that can be
+  double skip = 0;                             ///< s at the beginning, for the sensor to warm up
+  splinertia::allan::SamplingLimits limits{};  ///< of stamps
+  std::optional<std::string> topic;            ///< of a ROS bag
+  std::string python;                          ///< that reads a ROS bag
+};
+
+struct AxisLog {
+  char name;                   ///< x, y, z
+  std::vector<double> values;  ///< SI
+};
+
+struct SensorLog {
+  splinertia::SensorKind kind;
+  std::vector<AxisLog> axes;
+};
+
+struct ImuLog {
+  std::string path;
+  std::size_t samples = 0;
+  double rate = 0;                                                                ///< Hz
+  std::optional<splinertia::allan::Sampling<std::chrono::nanoseconds>> sampling;  ///< of the stamps, if there are any
+  std::string units;                  ///< that the sensors are taken to be in, as a line
+  std::vector<SensorLog> sensors;     ///< gyroscope and accelerometer, without what has no axis
+  std::vector<std::string> warnings;  ///< a line each
+};
+
+/// gyroscope, accelerometer
+[[nodiscard]] std::string_view sensor_name(splinertia::SensorKind kind);
+
+/// Reads a log: a ROS bag (.bag, .mcap, .db3, a folder) or a table with a sample a line, commas or blanks between its
+/// columns, # comments, and perhaps one line of names. Throws std::runtime_error or std::invalid_argument with one line
+/// that says what is wrong, where, and what was expected; ScriptFailed where that has been said. Refused are, besides
+/// what is no such table: times that do not increase or have large gaps, and units that can be seen to be others.
+[[nodiscard]] ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options);
+
+/// The numbers of a file with one a line; - is the standard input. Throws std::runtime_error as above.
+[[nodiscard]] std::vector<double> read_numbers(const std::filesystem::path& path);
