@@ -287,7 +287,7 @@ TEST_CASE("Degrees of freedom of the total deviation") {
 }
 
 TEST_CASE("Intervals are those of Stable32") {
-  const std::string folder = std::string(SPLINERTIA_SHARED_DATA_DIR) + "/allan/";
+  const std::string folder = SPLINERTIA_SHARED_DATA_DIR "/allan/";
   if (!std::ifstream(folder + "README.md")) {
     WARN("Skipped: no Stable32 tables in " << folder << ", which is not in the repository.");
     return;

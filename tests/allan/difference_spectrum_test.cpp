@@ -145,7 +145,6 @@ TEST_CASE("Quantization has the square of white noise's power, but for the ends"
 TEMPLATE_TEST_CASE("What the bins of a spectrum hold", "", double, long double) {
   using Scalar = TestType;
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon(), tolerance = 200 * epsilon, rate = 200;
-  const Scalar transform_error = 16 * static_cast<Scalar>(std::numeric_limits<double>::epsilon());
   for (const std::size_t samples : {3U, 4U, 60U, 127U, 128U, 129U, 1000U, 1031U, 5003U}) {
     INFO(samples << " samples");
     const auto y = scaled(noisy_integers(samples, 9810, 50, 5), Scalar(1) / 1000);
@@ -189,7 +188,7 @@ TEMPLATE_TEST_CASE("What the bins of a spectrum hold", "", double, long double) 
     CHECK(k == n);
     Scalar squares = 0;
     for (const Scalar difference : d) squares += difference * difference;
-    CHECK(std::abs(power / squares - 1) <= transform_error);
+    CHECK(std::abs(power / squares - 1) <= Scalar(1e-13L));  // of the running sums, too
   }
 }
 

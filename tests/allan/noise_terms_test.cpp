@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <concepts>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <splinertia/allan/noise_estimates.hpp>

@@ -43,7 +43,7 @@ template <int Order, std::size_t Factors, typename Scalar>
 [[nodiscard]] std::array<Scalar, Factors> squared_differences(const Scalar* x, std::int64_t m, std::int64_t begin,
                                                               std::int64_t end) {
   static_assert(Order == 2 || (Order == 3 && Factors == 1));
-  constexpr int lanes = 16;  // what keeps the adders of any of today's vector units busy
+  constexpr int lanes = Factors > 2 ? 8 : 16;  // enough to keep the adders busy, few enough for 16 AVX registers
   using Lanes = Eigen::Array<Scalar, lanes, 1>;
   using At = Eigen::Map<const Lanes>;
   std::array<Lanes, Factors> squares;

@@ -34,16 +34,23 @@ class CurveFit {
   using Vector = Eigen::Matrix<Scalar, size, 1>;
   using Matrix = Eigen::Matrix<Scalar, size, size>;
 
-  explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0) {
+  explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
       throw std::invalid_argument(
           message("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev"));
     }
-    for (const auto& point : curve.points) unit_ = std::max(unit_, point.deviation);
+    for (const auto& point : curve.points) {
+      require_positive("fit_curve", "tau", point.tau);
+      require_non_negative("fit_curve", "deviation", point.deviation);
+      require_positive("fit_curve", "degrees of freedom", point.degrees_of_freedom);
+      unit_ = std::max(unit_, point.deviation);
+      longest_ = std::max(longest_, point.tau);
+    }
     if (curve.points.size() < 2 || !(unit_ > 0)) {
       throw std::invalid_argument(
           message("fit_curve: ", curve.points.size(), " points, expected at least 2, and a deviation above zero"));
     }
+    require_positive("fit_curve", "rate", curve.rate);
     const auto count = static_cast<Eigen::Index>(curve.points.size());
     basis_.resize(count, size);
     variance_.resize(count);
@@ -142,16 +149,15 @@ class CurveFit {
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
-    const Scalar highest = curve_.rate / 2, lowest = 1 / (32 * curve_.points.back().tau);
-    const int count = per_octave * (1 + static_cast<int>(std::log2(highest / lowest)));
+    const Scalar highest = curve_.rate / 2, lowest = 1 / (32 * longest_);
+    const int count = per_octave * std::max(1, 1 + static_cast<int>(std::log2(highest / lowest)));
     Square seen(basis_.rows(), count);
     for (int k = 0; k < count; ++k) {
       const Scalar f = highest * std::exp2(-static_cast<Scalar>(k) / per_octave);
       const Scalar w = 2 * pi * f;
       // A ramp has no spectrum; what is left of it is a walk of the same variance at the longest tau.
-      const Scalar tau = curve_.points.back().tau;
       const Scalar spectrum =
-          theta[0] + (theta[1] + theta[4] * tau * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
+          theta[0] + (theta[1] + theta[4] * longest_ * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
       for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
         const Scalar x = pi * f * curve_.points[static_cast<std::size_t>(i)].tau;
         const Scalar sine = std::sin(x);
@@ -165,6 +171,7 @@ class CurveFit {
 
   const Curve<Scalar>& curve_;
   Scalar unit_;
+  Scalar longest_;  // tau, s
   Rows basis_;
   Column variance_, freedom_;
 };
@@ -173,7 +180,7 @@ class CurveFit {
 /// from a stream. `candidates` are tried together; those not significant at 1 % are taken out one by one. The intervals
 /// are those of squares with as many degrees of freedom as the standard error says: less exact than identify()'s, and
 /// the estimates of long-term terms scatter more. Throws std::invalid_argument for another curve than of adev or oadev,
-/// fewer than two points, and as identify() does.
+/// fewer than two points, what is not finite or > 0 in them, and as identify() does.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {

@@ -17,6 +17,7 @@
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace splinertia::allan {
@@ -44,14 +45,11 @@ class Identification {
     }
     if (options.highest_frequency > 0) restrict_to(spectra, options.highest_frequency);
     select();
-    while (options.highest_frequency == Scalar(0) && !fits() && highest_ > rate_ / 128) {
-      const Scalar below = bands_.front().lowest * (1 - std::numeric_limits<Scalar>::epsilon());
-      Fit restricted(spectra, below);
-      if (restricted.bins() < 64) break;
-      fit_ = std::move(restricted);
-      highest_ = below;
-      select();
-    }
+    if (options.highest_frequency > 0) return;
+    bool restricted = false;
+    while (!fits() && drop_octave(spectra)) restricted = true;
+    // What bends the octave that is left out bends the next one, too, below what shows in it.
+    if (restricted) drop_octave(spectra);
   }
 
   [[nodiscard]] NoiseEstimates<Scalar> estimates() const {
@@ -81,37 +79,61 @@ class Identification {
     highest_ = std::min(highest, rate_ / 2);
   }
 
+  /// Leaves out the highest octave, if enough is left.
+  bool drop_octave(std::span<const DifferenceSpectrum<Scalar>> spectra) {
+    const Scalar below = bands_.front().lowest * (1 - std::numeric_limits<Scalar>::epsilon());
+    Fit fit(spectra, below);
+    if (below < rate_ / 256 || fit.bins() < 64) return false;
+    fit_ = std::move(fit);
+    highest_ = below;
+    select();
+    return true;
+  }
+
   /// The set of terms that is most likely after a price for each: that of a detection at 1 %. Where a random walk
-  /// describes a log almost as well as bias instability or a ramp it is the walk, which estimators model. A walk of
-  /// which a log holds few independent periods looks like a ramp more often than Gaussian theory says (4 % at one
-  /// price, 1 % at two): a ramp costs three.
+  /// describes a log almost as well as bias instability it is the walk, which estimators model. A walk of which a log
+  /// holds few independent periods looks like a ramp more often than Gaussian theory says (4 % at one price, 1 % at
+  /// two): a ramp costs three.
   void select() {
     const Scalar level = Scalar(99) / 100;
     const Scalar price = chi_square_quantile(level, Scalar(1));
     const Scalar ramp_price = 3 * chi_square_quantile(level, static_cast<Scalar>(fit_.spectra()));
     std::array<Scalar, NoiseTerms::sets> costs;
-    costs.fill(std::numeric_limits<Scalar>::max());
+    constexpr Scalar untried = std::numeric_limits<Scalar>::max();
+    costs.fill(untried);
     std::array<Result, NoiseTerms::sets> results;
     for (unsigned set = 1; set < NoiseTerms::sets; ++set) {
       const NoiseTerms model = NoiseTerms::numbered(set);
       if (!model.within(options_.candidates) || model == NoiseTerms{NoiseTerm::rate_ramp}) continue;
-      results[set] = fit_.maximise(model);
-      costs[set] = results[set].objective;
+      const Result* simpler = nullptr;
+      Scalar prices = 0;
       for (const NoiseTerm term : noise_terms) {
-        if (model.has(term)) costs[set] += term == NoiseTerm::rate_ramp ? ramp_price : price;
+        if (!model.has(term)) continue;
+        prices += term == NoiseTerm::rate_ramp ? ramp_price : price;
+        const unsigned without = model.without(term).number();
+        if (costs[without] == untried) continue;
+        if (simpler == nullptr || results[without].objective < simpler->objective) simpler = &results[without];
       }
+      results[set] = simpler == nullptr ? fit_.maximise(model) : maximum(model, *simpler);
+      costs[set] = results[set].objective + prices;
     }
     auto best = static_cast<unsigned>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-    for (const NoiseTerm term : {NoiseTerm::bias_instability, NoiseTerm::rate_ramp}) {
-      const NoiseTerms model = NoiseTerms::numbered(best);
-      if (!model.has(term) || model.has(NoiseTerm::random_walk)) continue;
-      const NoiseTerms rest = model.without(term);
+    if (const NoiseTerms model = NoiseTerms::numbered(best);
+        model.has(NoiseTerm::bias_instability) && !model.has(NoiseTerm::random_walk)) {
+      const NoiseTerms rest = model.without(NoiseTerm::bias_instability);
       const unsigned walk = rest.with(NoiseTerm::random_walk).number();
       if (costs[walk] < costs[best] + price) best = costs[rest.number()] < costs[walk] ? rest.number() : walk;
     }
     model_ = NoiseTerms::numbered(best);
     result_ = std::move(results[best]);
     bands_ = fit_.bands(result_);
+  }
+
+  /// The likelihood can have several maxima, with more of the walk or of the ramp. The better one of what the signal
+  /// leads to and what a model with fewer terms does: more terms are never less likely.
+  [[nodiscard]] Result maximum(NoiseTerms model, const Result& simpler) const {
+    Result result = fit_.maximise(model), other = fit_.maximise(model, {}, &simpler.theta);
+    return other.objective < result.objective ? other : result;
   }
 
   /// The power agrees with the model in each octave; or in those of which white noise makes up more than half, if the
@@ -134,7 +156,7 @@ class Identification {
     Estimate<Scalar> estimate;
     estimate.detected = model_.has(term);
     const NoiseTerms model = model_.with(term);
-    const Result best = estimate.detected ? result_ : fit_.maximise(model);
+    const Result best = estimate.detected ? result_ : maximum(model, result_);
     const Scalar wanted = chi_square_quantile(options_.confidence, Scalar(1));
     if (term == NoiseTerm::rate_ramp) {
       Scalar squares = 0;

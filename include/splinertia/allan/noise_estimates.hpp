@@ -19,7 +19,9 @@ struct Estimate {
   /// At the confidence that was asked for; lower is zero for what is not detected, upper its limit.
   Interval<Scalar> interval{};
   Interval<Scalar> one_sigma{};  ///< at 68.27 %
-  bool detected = false;         ///< it would be by chance in at most 1 % of logs
+  /// It would be by chance in at most 1 % of logs; but for white noise beside quantization noise alone, whose ends look
+  /// like N = 2Q/√duration.
+  bool detected = false;
 
   /// Half the one-sigma interval.
   [[nodiscard]] Scalar standard_error() const { return (one_sigma.upper - one_sigma.lower) / 2; }
@@ -42,9 +44,9 @@ struct NoiseEstimates {
   Estimate<Scalar> Q;  ///< quantization noise, unit·s
   Estimate<Scalar> R;  ///< rate ramp, unit/s, without its sign
 
-  Scalar highest_frequency{};          ///< up to which the log was used, Hz; rate/2 if the model holds that far
-  bool fits = false;                   ///< the power agrees with the model, at least in the octaves that white noise rules
-  std::vector<BandFit<Scalar>> bands;  ///< octaves, from the highest down
+  Scalar highest_frequency{};  ///< up to which the log was used, Hz; rate/2 if the model holds that far
+  bool fits = false;           ///< the power agrees with the model, at least in the octaves that white noise rules
+  std::vector<BandFit<Scalar>> bands;  ///< octaves, from the highest down; none of fit_curve(), which cannot know
 
   [[nodiscard]] const Estimate<Scalar>& operator[](NoiseTerm term) const {
     const std::array<const Estimate<Scalar>*, 5> all{&N, &K, &B, &Q, &R};

@@ -13,6 +13,7 @@
 #include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
+#include <utility>
 #include <vector>
 
 namespace splinertia::allan {
@@ -95,11 +96,12 @@ class SpectralFit {
   [[nodiscard]] std::size_t spectra() const { return ramps_.size(); }
   [[nodiscard]] std::size_t bins() const { return bins_.size(); }
 
-  /// The most likely coefficients of a model; `fixed` holds one of them at a value.
   struct Fixed {
     NoiseTerm term;
     Scalar theta;
   };
+  /// The most likely coefficients of a model near `start`, by default a smoothed spectrum; `fixed` holds one of them at
+  /// a value. With several terms the likelihood can have more than one maximum, mostly far from the truth.
   [[nodiscard]] Result maximise(NoiseTerms terms, const std::optional<Fixed>& fixed = {},
                                 const Vector* start = nullptr) const {
     constexpr int most_steps = 60;
@@ -116,21 +118,25 @@ class SpectralFit {
     best.objective = evaluate(terms, best, expected);
     for (int i = 0; i < most_steps; ++i) {
       const Vector next = step(terms, fixed, expected, best.slopes);
-      // Towards it as far as that is better: the likelihood has one way up, but a full step may pass over the top.
-      Scalar share = 1, gain = 0;
-      Result trial = best;
-      for (; share > Scalar(1e-3); share /= 2) {
+      // Towards it as far as that is best: a full step may pass over the top and, of a model that does not describe the
+      // signal, end as far from it on the other side.
+      Scalar gain = 0;
+      Result further = best;
+      for (Scalar share = 1; share > Scalar(1e-3); share /= 2) {
+        Result trial = best;
         trial.theta = best.theta + share * (next - best.theta);
         trial.objective = evaluate(terms, trial, expected);
-        gain = best.objective - trial.objective;
-        if (gain >= 0) break;
+        if (best.objective - trial.objective > gain) {
+          gain = best.objective - trial.objective;
+          further = std::move(trial);
+        } else if (gain > 0) {
+          break;
+        }
       }
-      if (!(gain >= 0)) break;
-      best = trial;
+      best = std::move(further);
+      expect(best.theta, expected);
       if (gain < Scalar(1e-9)) break;
     }
-    expect(best.theta, expected);
-    if (terms.has(NoiseTerm::rate_ramp)) fit_slopes(expected, best);
     return best;
   }
 
