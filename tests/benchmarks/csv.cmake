@@ -1,6 +1,7 @@
-# Runs PROGRAM --csv and checks that every line is a figure, name,value,unit, and that those which others look for are
-# there.
-execute_process(COMMAND "${PROGRAM}" --csv --calls 100 RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE errors)
+# Runs PROGRAM --csv --calls 100 ARGUMENTS and checks that every line is a figure, name,value,unit, and that FIGURES, which
+# others look for, are there.
+execute_process(COMMAND "${PROGRAM}" --csv --calls 100 ${ARGUMENTS}
+  RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE errors)
 if(NOT result STREQUAL "0" OR NOT errors STREQUAL "")
   message(FATAL_ERROR "exit code ${result}\n${errors}")
 endif()
@@ -15,8 +16,7 @@ foreach(line IN LISTS lines)
   set(value_of_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
 endforeach()
 
-foreach(name IN ITEMS speedup_vs_std fraction_of_normals_bound samples_per_second std_samples_per_second
-                      simulate_samples_per_second peak_memory_1e3_samples peak_memory_1e6_samples)
+foreach(name IN LISTS FIGURES)
   if(NOT value_of_${name} MATCHES "[1-9]")
     message(FATAL_ERROR "${name} is '${value_of_${name}}', expected a positive number")
   endif()

@@ -72,7 +72,7 @@ class DifferenceSpectrum {
     std::array<Scalar, powers> basis;  ///< means over the bin: 4s², 1, 2s, 16s⁴ with s = sin(πf/rate)
   };
 
-  /// Time O(n log n), memory 5n scalars while it works.
+  /// Time O(n log n), memory 8n scalars while it works.
   explicit DifferenceSpectrum(const IntegratedSignal<Scalar>& signal) : rate_(signal.rate()), unit_(signal.unit()) {
     const auto n = static_cast<std::size_t>(transform_length(signal.samples()));
     samples_ = static_cast<std::int64_t>(n);

@@ -8,24 +8,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <splinertia/allan/compensated_sum.hpp>
+#include <utility>
 #include <vector>
 
 namespace splinertia::allan {
 
 /// Factors m, 2m, 4m … whose second differences share their reads: x_{i+2m} of one is x_{i+m} of the next.
 struct DoublingChain {
-  static constexpr int longest = 4;
+  static constexpr std::size_t longest = 4;
   std::int64_t first;
   std::vector<std::size_t> places;  ///< where each factor stands in the list
 };
 
-[[nodiscard]] inline std::vector<DoublingChain> doubling_chains(const std::vector<std::int64_t>& factors, int longest) {
+[[nodiscard]] inline std::vector<DoublingChain> doubling_chains(const std::vector<std::int64_t>& factors,
+                                                                std::size_t longest) {
   std::vector<DoublingChain> chains;
   std::vector<bool> used(factors.size());
   for (std::size_t j = 0; j < factors.size(); ++j) {
     if (used[j]) continue;
     DoublingChain chain{factors[j], {j}};
-    for (int length = 1; length < longest; ++length) {
+    for (std::size_t length = 1; length < longest; ++length) {
       const auto next = std::lower_bound(factors.begin(), factors.end(), factors[j] << length);
       const auto place = static_cast<std::size_t>(next - factors.begin());
       if (next == factors.end() || *next != factors[j] << length || used[place]) break;
@@ -87,7 +89,8 @@ template <int Order, typename Scalar>
                                                               const std::vector<std::int64_t>& factors) {
   constexpr std::int64_t tile = 1024;
   const auto points = static_cast<std::int64_t>(x.size());
-  const auto chains = doubling_chains(factors, Order == 2 ? DoublingChain::longest : 1);
+  constexpr std::size_t longest = Order == 2 ? DoublingChain::longest : 1;
+  const auto chains = doubling_chains(factors, longest);
   std::vector<CompensatedSum<Scalar>> sums(factors.size());
   for (std::int64_t tile_begin = 0; tile_begin < points; tile_begin += tile) {
     for (const DoublingChain& chain : chains) {
@@ -101,12 +104,9 @@ template <int Order, typename Scalar>
         for (std::size_t k = 0; k < Factors; ++k) sums[chain.places[k]].add(part[k]);
         begin = end;
       };
-      if constexpr (Order == 2) {
-        run.template operator()<4>();
-        run.template operator()<3>();
-        run.template operator()<2>();
-      }
-      run.template operator()<1>();
+      [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (run.template operator()<longest - I>(), ...);
+      }(std::make_index_sequence<longest>{});
     }
   }
   std::vector<Scalar> result;
