@@ -178,9 +178,10 @@ class CurveFit {
 
 /// N, K, B, Q and R of a curve alone, where there is no signal for identify(): one that was read from a paper, or came
 /// from a stream. `candidates` are tried together; those not significant at 1 % are taken out one by one. The intervals
-/// are those of squares with as many degrees of freedom as the standard error says: less exact than identify()'s, and
-/// the estimates of long-term terms scatter more. Throws std::invalid_argument for another curve than of adev or oadev,
-/// fewer than two points, what is not finite or > 0 in them, and as identify() does.
+/// are those of squares with as many degrees of freedom as the standard error says. In simulated logs of 2 hours
+/// (docs/performance.md) N scatters 1.4 times and K 1.1 to 1.3 times as much as by identify(), and 95 % intervals of K
+/// hold in 87 to 92 %. Throws std::invalid_argument for another curve than of adev or oadev, fewer than two points, what
+/// is not finite or > 0 in them, and as identify() does.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {
