@@ -268,7 +268,7 @@ class CorrelationSum {
 }
 
 /// The equivalent degrees of freedom of the total variance over m samples from `rates` rates: b·rates/m − c, at
-/// least 1. Howe, Riley (ed.), NIST SP 1065 (2008), section 5.4: (b, c) = (1.5, 0) for alpha = 0, (1.168, 0.222) for
+/// least 1. Howe, Riley (ed.), NIST SP 1065 (2008): (b, c) = (1.5, 0) for alpha = 0, (1.168, 0.222) for
 /// −1, (0.927, 0.358) for −2, which are for m <= rates/2. At small m, where the total variance has hardly more
 /// information than Allan's, they are of a continuous phase: at m = 1, 2, 4, 8 they are 2.25, 1.31, 1.08, 1.02 times
 /// the exact value for alpha = 0 and 0.93, 0.90, 0.97, 0.99 times for −2 (from the covariance matrix, 256 rates; it is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// The deviations of Riley, "Handbook of Frequency Stability Analysis", NIST Special Publication 1065 (2008), section
-/// 5.2, each a type that says how many terms it averages and what their mean square is divided by. Frequency is the
-/// rate signal here, phase its integral.
+/// The deviations of Riley, "Handbook of Frequency Stability Analysis", NIST Special Publication 1065 (2008), each a
+/// type that says how many terms it averages and what their mean square is divided by. Frequency is the rate signal
+/// here, phase its integral.
 #pragma once
 
 #include <cmath>
@@ -64,7 +64,7 @@ struct OverlappingHadamardDeviation : HadamardDeviation {
 };
 
 /// TOTDEV: ADEV of the sums continued beyond both ends by reflection, which steadies it at long tau. For flicker noise
-/// and random walk it is smaller by a share tau/duration of 0.24 and 0.375 (SP 1065, 5.2.11); not corrected here.
+/// and random walk it is smaller by a share tau/duration of 0.24 and 0.375 (SP 1065); not corrected here.
 struct TotalDeviation : OverlappingAllanDeviation {
   static constexpr std::string_view name = "totdev";
   [[nodiscard]] static std::int64_t terms(std::int64_t n, std::int64_t) { return n - 1; }

@@ -145,7 +145,8 @@ class CurveFit {
   }
 
   /// Of the points' variances: ∫ S² H_i H_j df with S the model's spectrum and H = sin⁴(πfτ)/(πfτ)² what a deviation
-  /// sees of it, normalised (SP 1065, 5.14, for S; Percival, Walden, "Wavelet Methods", 8.3, for the integral).
+  /// sees of it, normalised (SP 1065 for S; Percival and Walden, "Wavelet Methods for Time Series Analysis" (2000), for
+  /// the integral).
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
@@ -180,8 +181,8 @@ class CurveFit {
 /// from a stream. `candidates` are tried together; those not significant at 1 % are taken out one by one. The intervals
 /// are those of squares with as many degrees of freedom as the standard error says. In simulated logs of 2 hours
 /// (docs/performance.md) N scatters 1.4 times and K 1.1 to 1.3 times as much as by identify(), and 95 % intervals of K
-/// hold in 87 to 92 %. Throws std::invalid_argument for another curve than of adev or oadev, fewer than two points, what
-/// is not finite or > 0 in them, and as identify() does.
+/// hold in 87 to 92 %. Throws std::invalid_argument for another curve than of adev or oadev, fewer than two points,
+/// what is not finite or > 0 in them, and as identify() does.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {

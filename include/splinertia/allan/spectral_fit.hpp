@@ -71,7 +71,7 @@ class SpectralFit {
     for (const auto& spectrum : spectra) unit_ = std::max(unit_, spectrum.unit());
     for (const auto& spectrum : spectra) {
       const Scalar scale = spectrum.unit() / unit_;
-      Ramps ramps;
+      std::vector<Scalar> ramp_products;
       for (std::size_t i = 0; i < spectrum.bins().size(); ++i) {
         const auto& bin = spectrum.bins()[i];
         if (bin.frequency > highest) break;
@@ -80,10 +80,10 @@ class SpectralFit {
         }
         bins_[i].count += bin.count;
         bins_[i].power += bin.power * scale * scale;
-        ramps.products.push_back(bin.ramp_product * scale);
+        ramp_products.push_back(bin.ramp_product * scale);
         if (&spectrum == spectra.data()) bins_[i].ramp_square = bin.ramp_square;
       }
-      ramps_.push_back(std::move(ramps));
+      ramp_products_.push_back(std::move(ramp_products));
     }
   }
 
@@ -93,7 +93,7 @@ class SpectralFit {
   [[nodiscard]] static Scalar floor() {
     return std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
   }
-  [[nodiscard]] std::size_t spectra() const { return ramps_.size(); }
+  [[nodiscard]] std::size_t spectra() const { return ramp_products_.size(); }
   [[nodiscard]] std::size_t bins() const { return bins_.size(); }
 
   struct Fixed {
@@ -112,7 +112,7 @@ class SpectralFit {
       smooth(expected);
     }
     Result best;
-    best.slopes.assign(ramps_.size(), Scalar(0));
+    best.slopes.assign(ramp_products_.size(), Scalar(0));
     if (terms.has(NoiseTerm::rate_ramp)) fit_slopes(expected, best);
     best.theta = start != nullptr ? *start : step(terms, fixed, expected, best.slopes);
     best.objective = evaluate(terms, best, expected);
@@ -172,14 +172,11 @@ class SpectralFit {
     Scalar frequency, count, power, ramp_square;
     Vector basis;
   };
-  struct Ramps {
-    std::vector<Scalar> products;
-  };
 
   [[nodiscard]] Scalar residual_power(std::size_t i, const std::vector<Scalar>& slopes) const {
     Scalar power = bins_[i].power;
     for (std::size_t a = 0; a < slopes.size(); ++a) {
-      power += slopes[a] * (slopes[a] * bins_[i].ramp_square - 2 * ramps_[a].products[i]);
+      power += slopes[a] * (slopes[a] * bins_[i].ramp_square - 2 * ramp_products_[a][i]);
     }
     return std::max(power, Scalar(0));
   }
@@ -211,9 +208,9 @@ class SpectralFit {
   void fit_slopes(const std::vector<Scalar>& expected, Result& result) const {
     Scalar information = 0;
     for (std::size_t i = 0; i < bins_.size(); ++i) information += bins_[i].ramp_square / expected[i];
-    for (std::size_t a = 0; a < ramps_.size(); ++a) {
+    for (std::size_t a = 0; a < ramp_products_.size(); ++a) {
       Scalar product = 0;
-      for (std::size_t i = 0; i < bins_.size(); ++i) product += ramps_[a].products[i] / expected[i];
+      for (std::size_t i = 0; i < bins_.size(); ++i) product += ramp_products_[a][i] / expected[i];
       result.slopes[a] = product / information;
     }
     result.slope_error = 1 / std::sqrt(information);
@@ -256,7 +253,7 @@ class SpectralFit {
 
   Scalar unit_;
   std::vector<Bin> bins_;
-  std::vector<Ramps> ramps_;
+  std::vector<std::vector<Scalar>> ramp_products_;  // of each spectrum, by bin
 };
 
 }  // namespace splinertia::allan
