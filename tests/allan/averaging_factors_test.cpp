@@ -9,22 +9,11 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using splinertia::allan::AveragingFactors;
+using splinertia::testing::message_of;
 using Factors = std::vector<std::int64_t>;
-
-namespace {
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
-
-}  // namespace
 
 TEST_CASE("The usual grids of averaging factors") {
   CHECK(AveragingFactors::octave().up_to(1) == Factors{1});

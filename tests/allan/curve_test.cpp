@@ -12,20 +12,12 @@
 
 #include "allan/reference.hpp"
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
 using namespace splinertia::testing;
 
 namespace {
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 /// Half a unit of the fifth digit, which Stable32 rounds one to from a little further.
 double half_a_digit(double sigma) { return 0.505 * std::pow(10.0, std::floor(std::log10(sigma)) - 4); }

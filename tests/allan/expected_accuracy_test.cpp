@@ -8,19 +8,12 @@
 #include <string>
 
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
+using splinertia::testing::message_of;
 
 namespace {
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 /// From the Fisher information of q = K²/rate and r = N²·rate, term by term.
 ExpectedAccuracy<long double> exact(long double rate, std::int64_t n, long double N, long double K) {

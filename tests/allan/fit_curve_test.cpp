@@ -11,20 +11,12 @@
 
 #include "allan/simulated.hpp"
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
 using namespace splinertia::testing;
 
 namespace {
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 /// Points without noise of coefficients in the order of noise_terms, an octave apart, as of a log of 2¹⁸ samples.
 template <typename Scalar>

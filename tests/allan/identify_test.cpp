@@ -13,6 +13,7 @@
 
 #include "allan/simulated.hpp"
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
 using namespace splinertia::testing;
@@ -21,15 +22,6 @@ namespace {
 
 using Estimates = NoiseEstimates<double>;
 constexpr NoiseTerms white_and_walk{NoiseTerm::white, NoiseTerm::random_walk};
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 Estimates identified(const SimulatedNoise& noise, const IdentifyOptions<double>& options = {}) {
   return identify(simulated(noise), noise.rate, options);

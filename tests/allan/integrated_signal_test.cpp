@@ -17,6 +17,7 @@
 
 #include "allan/reference.hpp"
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
 using namespace splinertia::testing;
@@ -25,15 +26,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 template <typename S>
 std::string refusal(const S& signal, double rate = 200) {

@@ -12,6 +12,7 @@
 
 #include "allan/reference.hpp"
 #include "support/catch.hpp"
+#include "support/message_of.hpp"
 
 using namespace splinertia::allan;
 using namespace splinertia::testing;
@@ -20,15 +21,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-std::string message_of(const auto& work) {
-  try {
-    (void)work();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing thrown";
-}
 
 template <typename Scalar, typename Sample>
 StreamingAllanDeviation<Scalar> streamed(const std::vector<Sample>& samples, std::optional<Scalar> offset = {}) {
