@@ -42,11 +42,16 @@
 #include <splinertia/motion/coning.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
+#include <splinertia/spline/adaptive_fit.hpp>
+#include <splinertia/spline/choose_knots.hpp>
+#include <splinertia/spline/fit.hpp>
+#include <splinertia/spline/interpolate.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/parameter_blocks.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/coning_sculling.hpp>
 #include <splinertia/strapdown/euler.hpp>
+#include <splinertia/strapdown/inertial_fit.hpp>
 #include <splinertia/strapdown/integrate.hpp>
 #include <splinertia/strapdown/magnus4.hpp>
 #include <splinertia/strapdown/midpoint.hpp>

@@ -7,6 +7,7 @@
 
 #include <splinertia/adapters/ceres_residual.hpp>
 #include <splinertia/motion/kinematics.hpp>
+#include <splinertia/spline/kinematics_jacobians.hpp>
 
 namespace splinertia {
 
@@ -90,7 +91,7 @@ class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {
     const Matrix3<double> R_transposed =
         weight_ * rotation_matrix_transposed<double>(rotation(curve.value).unit_quaternion());
     for (std::size_t j = 0; j < points.size(); ++j) {
-      Base::write_jacobian(jacobians, j, points[j], force_jacobian(curve, j, force, gravity));
+      Base::write_jacobian(jacobians, j, points[j], weight_ * specific_force_jacobian(curve, j, force, gravity));
     }
     Base::template write_other_jacobian<3>(jacobians, 0, weight_);
     Base::template write_other_jacobian<3>(jacobians, 1, -R_transposed);
@@ -98,28 +99,6 @@ class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {
   }
 
  private:
-  /// W times the derivative (3 × 6) of the specific force by a tangent of control point j.
-  ///   SO3xR3:  f = Rᵀ(p̈ − g)            df = f^ dφ + Rᵀ dp̈
-  ///   SE3:     f = v̇ + ω × v − Rᵀg      df = dv̇ + ω^ dv − v^ dω − (Rᵀg)^ dφ
-  Eigen::Matrix<double, 3, 6> force_jacobian(const Linearization<G, Order, 2>& curve, std::size_t j,
-                                             const Vector3<double>& force, const Vector3<double>& gravity) const {
-    const Jacobian<G>&value = curve.value_jacobian[j], &acceleration = curve.acceleration_jacobian[j];
-    const auto& q = rotation(curve.value).unit_quaternion();
-    Eigen::Matrix<double, 3, 6> J;
-    if constexpr (SplitPose<G>) {
-      J.template leftCols<3>() = hat_times<double>(force, value.template topLeftCorner<3, 3>());
-      J.template rightCols<3>() =
-          rotation_matrix_transposed<double>(q) * acceleration.template bottomRightCorner<3, 3>();
-    } else {
-      const Jacobian<G>& velocity = curve.velocity_jacobian[j];
-      const Vector3<double> v = curve.velocity.template head<3>(), omega = angular_velocity(curve);
-      const Vector3<double> g_B = rotate_inverse<double>(q, gravity);
-      J = acceleration.template topRows<3>() + hat(omega) * velocity.template topRows<3>() -
-          hat(v) * velocity.template bottomRows<3>() - hat(g_B) * value.template bottomRows<3>();
-    }
-    return weight_ * J;
-  }
-
   Basis basis_;
   Vector3<double> measured_;
   Matrix3<double> weight_;

@@ -29,10 +29,14 @@ template <typename K>
 concept Knots = std::copyable<K> && TimePoint<typename K::Time> &&
                 requires(const K& knots, std::size_t control_points, int order, typename K::Time t) {
                   // Throws std::invalid_argument unless these are the knots of a curve of that order with so many
-                  // control points, of which there are at least `order`. The two below require that this does not
+                  // control points, of which there are at least `order`. What is below requires that this does not
                   // throw.
                   knots.check(control_points, order);
                   { knots.domain(control_points, order) } -> std::same_as<Domain<typename K::Time>>;
+                  // The knot where segment 0, 1, … of the domain begins, and the time that control point 0, 1, …
+                  // belongs to.
+                  { knots.knot(control_points, order) } -> std::same_as<typename K::Time>;
+                  { knots.control_point_time(control_points, order) } -> std::same_as<typename K::Time>;
                   // The basis at t, for any Scalar, Order and D: template <typename Scalar, int Order, int D> basis(t,
                   // n). Requires domain.start <= t <= domain.end (asserted). A knot belongs to the span that it begins,
                   // the end to the last span that is not empty.

@@ -73,6 +73,17 @@ struct NonUniformKnots {
     return {knots[static_cast<std::size_t>(order) - 1], knots[control_points]};
   }
 
+  /// The knot where span s begins, and span s − 1 ends.
+  [[nodiscard]] Time knot(std::size_t s, int order) const { return knots[s + static_cast<std::size_t>(order) - 1]; }
+
+  /// The time that control point i belongs to: the mean of the knots inside its support (Greville's abscissa).
+  [[nodiscard]] Time control_point_time(std::size_t i, int order) const {
+    double sum = 0;
+    for (std::size_t j = 1; j < static_cast<std::size_t>(order); ++j)
+      sum += seconds<double>(knots[i + j] - knots[i + 1]);
+    return after(knots[i + 1], sum / (order - 1));
+  }
+
   /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
   template <typename Scalar, int Order, int D>
   [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {

@@ -64,12 +64,21 @@ struct UniformKnots {
   }
 
   [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
-    const std::size_t segments = control_points - static_cast<std::size_t>(order) + 1;
+    return {start, knot(control_points - static_cast<std::size_t>(order) + 1, order)};
+  }
+
+  /// The knot where segment s begins, and segment s − 1 ends.
+  [[nodiscard]] Time knot(std::size_t s, [[maybe_unused]] int order) const {
     if constexpr (std::floating_point<Time>) {
-      return {start, start + static_cast<Time>(segments) * interval};
+      return start + static_cast<Time>(s) * interval;
     } else {
-      return {start, start + static_cast<typename Time::rep>(segments) * interval};
+      return start + static_cast<typename Time::rep>(s) * interval;
     }
+  }
+
+  /// The time that control point i belongs to, which may be outside the domain.
+  [[nodiscard]] Time control_point_time(std::size_t i, int order) const {
+    return after(start, (static_cast<double>(i) + 1 - 0.5 * order) * seconds<double>(interval));
   }
 
   template <typename Scalar, int Order, int D>

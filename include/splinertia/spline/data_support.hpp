@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/// Which control points are determined by what the curve is fitted to.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <splinertia/spline/basis.hpp>
+#include <splinertia/spline/fit_options.hpp>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// The weights B_j = λ_j − λ_{j+1} of the Order control points of a segment.
+template <typename Scalar, int Order>
+[[nodiscard]] std::array<Scalar, Order> control_point_weights(const CumulativeBasis<Scalar, Order, 0>& basis) {
+  std::array<Scalar, Order> weights;
+  Scalar before(1);
+  for (std::size_t j = 0; j + 1 < weights.size(); ++j) {
+    weights[j] = before - basis.lambda[0][j];
+    before = basis.lambda[0][j];
+  }
+  weights.back() = before;
+  return weights;
+}
+
+/// The control points that the poses leave undetermined, in ascending order: there are too few poses where these have a
+/// share in the curve. Each control point is given one pose of its own (Schoenberg and Whitney, Trans. Amer. Math. Soc.
+/// 74 (1953) 246, say that this is what a spline of one dimension needs), at which its weight is at least a hundredth
+/// of the largest that it has anywhere, so that what is left to the others is well determined too. `counts(i)` says
+/// whether pose i counts at all.
+template <typename Curve>
+[[nodiscard]] std::vector<std::size_t> undetermined_control_points(const KnotsOf<Curve>& knots,
+                                                                   std::size_t control_points,
+                                                                   const PosesOf<Curve>& poses, const auto& counts) {
+  constexpr int order = Curve::order;
+  const auto weights_at = [&](auto time) {
+    const auto place = knots.template basis<double, order, 0>(time, control_points);
+    return std::pair(place.first, control_point_weights(place.basis));
+  };
+  std::vector<double> enough(control_points, 0.0);
+  const auto note = [&](auto time) {
+    const auto [first, weights] = weights_at(time);
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      enough[first + j] = std::max(enough[first + j], weights[j] / 100);
+    }
+  };
+  for (std::size_t s = 0; s + order <= control_points; ++s) {
+    const auto begin = knots.knot(s, order), end = knots.knot(s + 1, order);
+    for (const auto time : {begin, begin + (end - begin) / 2, end}) note(time);
+  }
+  std::vector<std::size_t> undetermined;
+  std::size_t next = 0;
+  const auto skip_to = [&](std::size_t point) {
+    for (; next < point; ++next) undetermined.push_back(next);
+  };
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!counts(i)) continue;
+    const auto [first, weights] = weights_at(poses[i].time);
+    std::size_t low = 0, high = weights.size();
+    while (low < high && weights[low] < enough[first + low]) ++low;
+    while (high > low && weights[high - 1] < enough[first + high - 1]) --high;
+    skip_to(first + low);
+    if (next < first + high) ++next;
+  }
+  skip_to(control_points);
+  return undetermined;
+}
+
+/// The same as gaps between poses.
+template <typename Curve>
+[[nodiscard]] std::vector<FitGap<typename Curve::Time>> gaps_between(const PosesOf<Curve>& poses, const Curve& curve,
+                                                                     const std::vector<std::size_t>& undetermined) {
+  using Time = typename Curve::Time;
+  std::vector<FitGap<Time>> gaps;
+  for (const std::size_t i : undetermined) {
+    if (!gaps.empty() && gaps.back().last_control_point + 1 == i) {
+      gaps.back().last_control_point = i;
+    } else {
+      gaps.push_back({i, i, {}, {}});
+    }
+  }
+  const auto later = [](Time time, const auto& pose) { return time < pose.time; };
+  for (auto& gap : gaps) {
+    const auto time_of = [&](std::size_t i) {
+      return std::clamp(curve.knots().control_point_time(i, Curve::order), curve.start(), curve.end());
+    };
+    const auto before = std::upper_bound(poses.begin(), poses.end(), time_of(gap.first_control_point), later);
+    gap.start = before == poses.begin() ? curve.start() : std::prev(before)->time;
+    const auto behind = std::upper_bound(before, poses.end(), time_of(gap.last_control_point), later);
+    gap.end = behind == poses.end() ? curve.end() : behind->time;
+  }
+  return gaps;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// How the terms of mechanics (motion/kinematics.hpp) change with the control points of a curve.
+#pragma once
+
+#include <cstddef>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/motion/kinematics.hpp>
+#include <splinertia/spline/linearize.hpp>
+
+namespace splinertia {
+
+/// 3 × 6: of some vector by a tangent of one control point.
+template <typename Scalar>
+using VectorJacobian = Eigen::Matrix<Scalar, 3, 6>;
+
+/// Where a pose's tangent keeps its rotation.
+template <Pose G>
+inline constexpr int rotation_row = SplitPose<G> ? 0 : 3;
+
+/// Of ω, by control point j.
+template <Pose G, int Order, int D>
+  requires(D >= 1)
+[[nodiscard]] VectorJacobian<ScalarOf<G>> angular_velocity_jacobian(const Linearization<G, Order, D>& curve,
+                                                                    std::size_t j) {
+  return curve.velocity_jacobian[j].template middleRows<3>(rotation_row<G>);
+}
+
+/// Of α, by control point j.
+template <Pose G, int Order>
+[[nodiscard]] VectorJacobian<ScalarOf<G>> angular_acceleration_jacobian(const Linearization<G, Order, 2>& curve,
+                                                                        std::size_t j) {
+  return curve.acceleration_jacobian[j].template middleRows<3>(rotation_row<G>);
+}
+
+/// Of the specific force f, given with the gravity g that it was taken with, by control point j.
+///   SO3xR3:  f = Rᵀ(p̈ − g)            df = f^ dφ + Rᵀ dp̈
+///   SE3:     f = v̇ + ω × v − Rᵀg      df = dv̇ + ω^ dv − v^ dω − (Rᵀg)^ dφ
+template <Pose G, int Order>
+[[nodiscard]] VectorJacobian<ScalarOf<G>> specific_force_jacobian(const Linearization<G, Order, 2>& curve,
+                                                                  std::size_t j, const Vector3<ScalarOf<G>>& force,
+                                                                  const Vector3<ScalarOf<G>>& gravity) {
+  using Scalar = ScalarOf<G>;
+  const Jacobian<G>&value = curve.value_jacobian[j], &acceleration = curve.acceleration_jacobian[j];
+  const auto& q = rotation(curve.value).unit_quaternion();
+  VectorJacobian<Scalar> J;
+  if constexpr (SplitPose<G>) {
+    J.template leftCols<3>() = hat_times<Scalar>(force, value.template topLeftCorner<3, 3>());
+    J.template rightCols<3>() = rotation_matrix_transposed<Scalar>(q) * acceleration.template bottomRightCorner<3, 3>();
+  } else {
+    const Jacobian<G>& velocity = curve.velocity_jacobian[j];
+    const Vector3<Scalar> v = curve.velocity.template head<3>(), omega = angular_velocity(curve);
+    const Vector3<Scalar> g_B = rotate_inverse<Scalar>(q, gravity);
+    J = acceleration.template topRows<3>() + hat(omega) * velocity.template topRows<3>() -
+        hat(v) * velocity.template bottomRows<3>() - hat(g_B) * value.template bottomRows<3>();
+  }
+  return J;
+}
+
+}  // namespace splinertia

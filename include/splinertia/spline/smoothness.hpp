@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/spline/linearize.hpp>
+#include <splinertia/spline/quadrature.hpp>
+#include <splinertia/time.hpp>
+
+namespace splinertia {
+
+/// ∫ |x⁽ᵈ⁾/density|² dt over some segments of a curve as squares to minimise; d = 1, 2 or 3. Exact for Rⁿ. On other
+/// groups the third derivative is that of the polynomial through the second at the nodes of a segment, as good as the
+/// spline's own approximation.
+template <typename Curve>
+class SmoothnessTerm {
+ public:
+  using G = typename Curve::Group;
+  using Scalar = typename Curve::Scalar;
+  static constexpr int order = Curve::order;
+
+  /// Requires 1 <= derivative <= min(3, order − 1) and positive densities. Segments first … last count.
+  SmoothnessTerm(int derivative, const Tangent<G>& density, std::size_t first, std::size_t last)
+      : derivative_(derivative), inverse_density_(density.cwiseInverse()), first_(first), last_(last) {}
+
+  template <typename System>
+  Scalar add(const Curve& curve, System& system) const {
+    if (derivative_ == 1) return add<1>(curve, system);
+    if constexpr (order >= 3) return add<2>(curve, system);
+    return Scalar(0);
+  }
+
+ private:
+  template <int D, typename System>
+  Scalar add(const Curve& curve, System& system) const {
+    using std::sqrt;
+    // The D-th derivative has the degree order − 1 − D.
+    constexpr std::size_t nodes = order - D;
+    static const Quadrature<Scalar, nodes> quadrature;
+    Scalar cost(0);
+    for (std::size_t s = first_; s <= last_; ++s) {
+      const auto start = curve.knots().knot(s, order), end = curve.knots().knot(s + 1, order);
+      const Scalar length = seconds<Scalar>(end - start);
+      if (!(length > Scalar(0))) continue;
+      std::array<Tangent<G>, nodes> value;
+      std::array<ControlPointJacobians<G, order>, nodes> jacobian;
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const auto at = curve.template linearize<D>(start + fraction_of(end - start, quadrature.node[n]));
+        if constexpr (D == 1) {
+          value[n] = at.velocity;
+          jacobian[n] = at.velocity_jacobian;
+        } else {
+          value[n] = at.acceleration;
+          jacobian[n] = at.acceleration_jacobian;
+        }
+      }
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const Tangent<G> scale = inverse_density_ * sqrt(quadrature.weight[n] * length);
+        Tangent<G> r = Tangent<G>::Zero();
+        ControlPointJacobians<G, order> J;
+        J.fill(Jacobian<G>::Zero());
+        for (std::size_t m = 0; m < nodes; ++m) {
+          if (derivative_ == D && m != n) continue;
+          const Scalar share = derivative_ == D ? Scalar(1) : quadrature.derivative[n][m] / length;
+          r += share * scale.cwiseProduct(value[m]);
+          for (std::size_t i = 0; i < J.size(); ++i) J[i] += share * (scale.asDiagonal() * jacobian[m][i]);
+        }
+        cost += r.squaredNorm();
+        system.add(s, r, J);
+      }
+    }
+    return cost;
+  }
+
+  int derivative_;
+  Tangent<G> inverse_density_;
+  std::size_t first_, last_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+/// What makes the readings of an IMU differ from those of a perfect one in the body frame, as far as a known motion
+/// shows it.
+#pragma once
+
+#include <splinertia/group/pose.hpp>
+#include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/motion/kinematics.hpp>
+
+namespace splinertia {
+
+/// The reading at the IMU's time t is that of the motion at t + time_offset:
+///   gyro  = R_BIᵀ ω + gyro_bias
+///   accel = R_BIᵀ (Rᵀ(p̈ − gravity) + α × p_BI + ω × (ω × p_BI)) + accel_bias
+template <typename Scalar>
+struct ImuCalibration {
+  Vector3<Scalar> gyro_bias = Vector3<Scalar>::Zero();   ///< rad/s
+  Vector3<Scalar> accel_bias = Vector3<Scalar>::Zero();  ///< m/s²
+  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
+  LeverArm<Scalar> arm{Sophus::SO3<Scalar>(), Vector3<Scalar>::Zero()};
+  double time_offset = 0;  ///< s: of the motion's clock from the IMU's
+};
+
+/// What such an IMU reads; `motion` is that at the sample's time + time_offset.
+template <Pose G, int D>
+  requires(D >= 2)
+[[nodiscard]] ImuMeasurement<ScalarOf<G>> calibrated_imu(const Motion<G, D>& motion,
+                                                         const ImuCalibration<ScalarOf<G>>& calibration) {
+  auto reading = ideal_imu(motion, calibration.gravity, calibration.arm);
+  reading.gyro += calibration.gyro_bias;
+  reading.accel += calibration.accel_bias;
+  return reading;
+}
+
+/// d/dt of what it reads: [gyro; accel], rad/s² and m/s³.
+template <Pose G>
+[[nodiscard]] Eigen::Matrix<ScalarOf<G>, 6, 1> calibrated_imu_rate(const Motion<G, 3>& m,
+                                                                   const ImuCalibration<ScalarOf<G>>& calibration) {
+  using Scalar = ScalarOf<G>;
+  const auto& q = rotation(m.value).unit_quaternion();
+  const auto& q_BI = calibration.arm.R_BI.unit_quaternion();
+  const Vector3<Scalar>& l = calibration.arm.p_BI;
+  const Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
+  Vector3<Scalar> alpha_rate, force_rate;
+  if constexpr (SplitPose<G>) {
+    alpha_rate = m.jerk.template head<3>();
+    force_rate =
+        rotate_inverse<Scalar>(q, m.jerk.template tail<3>()) - omega.cross(specific_force(m, calibration.gravity));
+  } else {
+    alpha_rate = m.jerk.template tail<3>();
+    const Vector3<Scalar> v = m.velocity.template head<3>(), v_dot = m.acceleration.template head<3>();
+    force_rate = m.jerk.template head<3>() + alpha.cross(v) + omega.cross(v_dot) +
+                 omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
+  }
+  force_rate += alpha_rate.cross(l) + alpha.cross(omega.cross(l)) + omega.cross(alpha.cross(l));
+  Eigen::Matrix<Scalar, 6, 1> rate;
+  rate << rotate_inverse<Scalar>(q_BI, alpha), rotate_inverse<Scalar>(q_BI, force_rate);
+  return rate;
+}
+
+}  // namespace splinertia

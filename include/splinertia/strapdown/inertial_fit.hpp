@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+/// A spline through poses and the samples of an IMU together, and the calibration of the IMU that goes with it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+#include <splinertia/spline/fit.hpp>
+#include <splinertia/strapdown/imu_calibration.hpp>
+#include <splinertia/strapdown/inertial_term.hpp>
+#include <tuple>
+#include <utility>
+
+namespace splinertia {
+
+/// An estimated calibration.
+template <typename Scalar>
+struct CalibratedImu {
+  ImuCalibration<Scalar> calibration;
+  /// One sigma of each, as the given noise of samples and poses implies; 0 of what was not estimated, infinite of what
+  /// the motion does not show. `gravity`: in rad, about the two axes at right angles to it and 0 along it.
+  struct {
+    Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
+    Eigen::Matrix<Scalar, 2, 1> gravity_direction;
+    Scalar time_offset;
+  } standard_deviation;
+  Scalar gyro_rms;      ///< rad/s, of the residuals, axes together
+  Scalar accel_rms;     ///< m/s²
+  std::size_t samples;  ///< within the curve
+  int iterations;
+  bool converged;
+};
+
+template <typename Curve>
+struct InertialFit : Fit<Curve> {
+  CalibratedImu<typename Curve::Scalar> imu;
+};
+
+/// The squares are those of noise, which leaves a cost of about one for each: what is lost is nothing beside it.
+template <typename Scalar>
+[[nodiscard]] Convergence<Scalar> inertial_convergence(int most_iterations) {
+  return {.relative = std::max(Scalar(1e-10f), 16 * std::numeric_limits<Scalar>::epsilon()),
+          .absolute = std::numeric_limits<Scalar>::min(),
+          .most_iterations = most_iterations};
+}
+
+/// A curve and a calibration, for minimize().
+template <typename Curve>
+struct InertialState {
+  Curve curve;
+  ImuCalibration<typename Curve::Scalar> calibration;
+};
+
+template <typename Curve>
+using InertialSystem =
+    BandedSystem<typename Curve::Scalar, DofOf<typename Curve::Group>, Curve::order - 1, CalibrationRows::count>;
+
+/// Moves the curve, which is held by other terms as well, and the calibration.
+template <typename Curve, typename... CurveTerms>
+class InertialModel {
+ public:
+  InertialModel(const InertialTerm<Curve>& samples, const CurveTerms&... terms) : samples_(samples), terms_(terms...) {}
+
+  auto linearize(const InertialState<Curve>& state, InertialSystem<Curve>& system) const {
+    auto cost = samples_.add(state.curve, state.calibration, system);
+    std::apply([&](const auto&... term) { ((cost += term.add(state.curve, system)), ...); }, terms_);
+    return cost;
+  }
+
+  [[nodiscard]] InertialState<Curve> moved(const InertialState<Curve>& state,
+                                           const typename InertialSystem<Curve>::Vector& step) const {
+    return {splinertia::moved(state.curve, step.blocks), samples_.moved(state.calibration, step.border)};
+  }
+
+ private:
+  const InertialTerm<Curve>& samples_;
+  std::tuple<const CurveTerms&...> terms_;
+};
+
+/// Of the equations only those of the border: the curve is known.
+template <typename System>
+struct BorderOnly {
+  System& system;
+  typename System::Corner& corner;
+
+  void add(std::size_t, const auto& r, const auto&, const auto& border) { system.add_border(r, border); }
+};
+
+/// Moves the calibration alone.
+template <typename Curve>
+class CalibrationModel {
+ public:
+  using Calibration = ImuCalibration<typename Curve::Scalar>;
+
+  CalibrationModel(const InertialTerm<Curve>& samples, const Curve& curve) : samples_(samples), curve_(curve) {}
+
+  auto linearize(const Calibration& calibration, InertialSystem<Curve>& system) const {
+    BorderOnly<InertialSystem<Curve>> border{system, system.corner};
+    return samples_.add(curve_, calibration, border);
+  }
+
+  [[nodiscard]] Calibration moved(const Calibration& calibration,
+                                  const typename InertialSystem<Curve>::Vector& step) const {
+    return samples_.moved(calibration, step.border);
+  }
+
+ private:
+  const InertialTerm<Curve>& samples_;
+  const Curve& curve_;
+};
+
+/// What minimize() has found, with its standard deviations.
+template <typename Curve>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrated_imu(
+    const InertialTerm<Curve>& samples, const Curve& curve, const ImuCalibration<typename Curve::Scalar>& calibration,
+    const InertialSystem<Curve>& system, const Minimum<typename Curve::Scalar>& minimum) {
+  using Scalar = typename Curve::Scalar;
+  using Rows = CalibrationRows;
+  Eigen::Matrix<Scalar, Rows::count, 1> deviation;
+  deviation.setConstant(std::numeric_limits<Scalar>::infinity());
+  BandedCholesky<InertialSystem<Curve>> factor;
+  if (factor.compute(system, Scalar(0))) deviation = factor.border_covariance().diagonal().cwiseSqrt();
+  deviation = samples.estimated().select(deviation, Scalar(0));
+  const auto [gyro_rms, accel_rms] = samples.rms(curve, calibration);
+  return {calibration,
+          {deviation.template segment<3>(Rows::gyro_bias), deviation.template segment<3>(Rows::accel_bias),
+           deviation.template segment<3>(Rows::lever_arm), deviation.template segment<2>(Rows::gravity),
+           deviation[Rows::time_offset]},
+          gyro_rms,
+          accel_rms,
+          samples.size(),
+          minimum.iterations,
+          minimum.converged};
+}
+
+/// How an IMU is mounted and biased, from its samples along a known curve: what is left of them shows how well the
+/// curve, and a simulator on it, matches a real sensor.
+///
+///   const auto imu = calibrate_imu(fit.spline, samples, {.gyro_standard_deviation = 0.01,
+///                                                        .accel_standard_deviation = 0.1});
+///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
+///
+/// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Throws std::invalid_argument for
+/// bad samples or options, and if none of the samples is within the curve.
+template <typename Curve, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
+    const Curve& curve, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options) {
+  const InertialTerm<Curve> term(samples, options, curve);
+  InertialSystem<Curve> system(0);
+  BandedCholesky<InertialSystem<Curve>> factor;
+  auto calibration = options.calibration;
+  const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
+                                inertial_convergence<typename Curve::Scalar>(100));
+  return calibrated_imu(term, curve, calibration, system, minimum);
+}
+
+/// The spline nearest to poses and to the samples of an IMU at once, each by its standard deviation, and the IMU's
+/// calibration. It starts from fit(poses, options), whose `standard_deviation` of a pose should be given: by default it
+/// is what fit() has found in the residuals. Rates of the IMU beside sparse or noisy poses make knots possible that the
+/// poses alone could not hold; where they leave gaps, the IMU bridges them.
+///
+/// Memory and time are linear in the number of poses and samples. Throws as fit() and calibrate_imu() do.
+template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group> && LieGroupWithJacobians<typename Curve::Group>
+[[nodiscard]] InertialFit<Curve> inertial_fit(const Poses& poses, const Samples& samples,
+                                              const FitOptions<Curve>& options,
+                                              const InertialOptions<typename Curve::Scalar>& imu) {
+  using Scalar = typename Curve::Scalar;
+  FitProblem<Curve> problem(poses, options);
+  problem.solve();
+  const InertialTerm<Curve> samples_term(samples, imu, problem.curve());
+  const PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
+  const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms();
+  InertialState<Curve> state{problem.curve(), calibrate_imu(problem.curve(), samples, imu).calibration};
+  InertialSystem<Curve> system(state.curve.control_points().size());
+  BandedCholesky<InertialSystem<Curve>> factor;
+  const auto minimum = minimize(InertialModel(samples_term, pose_term, smoothness), state, system, factor,
+                                inertial_convergence<Scalar>(options.most_iterations));
+  auto calibrated = calibrated_imu(samples_term, state.curve, state.calibration, system, minimum);
+  InertialFit<Curve> result{std::move(problem).report(std::move(state.curve)), std::move(calibrated)};
+  result.iterations += minimum.iterations;
+  result.converged = minimum.converged;
+  result.condition = condition_estimate(system, factor);
+  return result;
+}
+
+}  // namespace splinertia
