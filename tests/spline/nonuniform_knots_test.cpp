@@ -107,3 +107,29 @@ TEST_CASE("Knots that are none are refused with the place and the value") {
   NonUniformKnots<nanoseconds> time{{nanoseconds{0}, nanoseconds{2}, nanoseconds{1}, nanoseconds{3}}};
   CHECK_THROWS_WITH(time.check(2, 2), "NonUniformKnots: knot 2 is 1, expected at least 2, the knot before it");
 }
+
+TEST_CASE("Knots begin the spans, and control points have the mean time of the knots inside their support") {
+  const NonUniformKnots<double> knots{{0, 0, 0, 0, 1, 3, 7, 8, 8, 8, 8}};  // order 4, domain [0, 8]
+  CHECK(knots.knot(0, 4) == 0);
+  CHECK(knots.knot(2, 4) == 3);
+  CHECK(knots.knot(4, 4) == knots.domain(7, 4).end);
+  CHECK(knots.control_point_time(0, 4) == 0);
+  CHECK_THAT(knots.control_point_time(1, 4), WithinAbs(1. / 3, 1e-15));
+  CHECK_THAT(knots.control_point_time(3, 4), WithinAbs(11. / 3, 1e-15));
+  CHECK(knots.control_point_time(6, 4) == 8);
+  // Σ w_i(t) ξ_i = t: control points on a straight line over these times make the curve run straight.
+  for (const double at : {0.0, 0.4, 2.5, 7.9}) {
+    const auto place = knots.basis<double, 4, 0>(at, 7);
+    double t = knots.control_point_time(place.first, 4);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t i = place.first + j;
+      t += place.basis.lambda[0][j] * (knots.control_point_time(i + 1, 4) - knots.control_point_time(i, 4));
+    }
+    CHECK_THAT(t, WithinAbs(at, 1e-14));
+  }
+  const nanoseconds epoch{1'403'715'524'907'143'168};
+  NonUniformKnots<nanoseconds> stamps;
+  for (const int ns : {0, 1, 5, 9, 10, 20}) stamps.knots.push_back(epoch + nanoseconds{ns});
+  CHECK(stamps.control_point_time(1, 3) == epoch + nanoseconds{7});
+  CHECK(stamps.knot(1, 3) == epoch + nanoseconds{9});
+}

@@ -74,3 +74,26 @@ TEST_CASE("Knots closer than time can tell apart are refused") {
   CHECK_NOTHROW(UniformKnots<double>{0, 1e-300}.check(10, 4));
   CHECK_NOTHROW(UniformKnots<nanoseconds>{nanoseconds{1'400'000'000'000'000'000}, nanoseconds{1}}.check(10, 4));
 }
+
+TEST_CASE("Knots begin the segments, and control points have a time") {
+  const UniformKnots<double> knots{2, 0.5};
+  CHECK(knots.knot(0, 4) == knots.domain(9, 4).start);
+  CHECK(knots.knot(3, 4) == 3.5);
+  CHECK(knots.knot(6, 4) == knots.domain(9, 4).end);
+  // Even orders have them at knots, as the drawing shows, odd ones between; the first and last are outside.
+  CHECK(knots.control_point_time(0, 4) == 1.5);
+  CHECK(knots.control_point_time(1, 4) == 2);
+  CHECK(knots.control_point_time(8, 4) == 5.5);
+  CHECK(knots.control_point_time(1, 3) == 2.25);
+  CHECK(knots.control_point_time(0, 2) == 2);
+  const nanoseconds epoch{1'403'715'524'907'143'168};
+  const UniformKnots stamps{epoch, nanoseconds{50'000'001}};
+  CHECK(stamps.knot(7, 4) == epoch + nanoseconds{350'000'007});
+  CHECK(stamps.control_point_time(0, 4) == epoch - nanoseconds{50'000'001});
+  CHECK(stamps.control_point_time(8, 4) == epoch + nanoseconds{350'000'007});
+  // Control points on a straight line over these times make the curve run straight: Σ w_i(t) ξ_i = t.
+  const auto place = knots.basis<double, 5, 0>(3.3, 9);
+  double t = knots.control_point_time(place.first, 5);
+  for (std::size_t j = 0; j < 4; ++j) t += place.basis.lambda[0][j] * 0.5;
+  CHECK_THAT(t, WithinAbs(3.3, 1e-14));
+}

@@ -16,6 +16,7 @@ namespace splinertia {
 /// by more than chance (three standard deviations of that RMS), the span is halved, until none does or has fewer than
 /// four poses. Needs NonUniformKnots; the knots are fit.spline.knots(). Of the options, knots or knot_interval is where
 /// it starts (by default, a segment for every 256 poses); with a robust loss, outliers have no weight (search_options).
+/// Throws std::invalid_argument for a goal that is not finite and positive, or as fit() does.
 template <typename Curve, StampedPoses Poses>
   requires std::same_as<KnotsOf<Curve>, NonUniformKnots<typename Curve::Time>>
 [[nodiscard]] Fit<Curve> adaptive_fit(const Poses& poses, const Tangent<typename Curve::Group>& goal,
@@ -23,6 +24,7 @@ template <typename Curve, StampedPoses Poses>
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
   constexpr auto k = static_cast<std::ptrdiff_t>(Curve::order);
+  check_goal<G>("adaptive_fit", goal);
   const auto data = fit_data<Curve>(poses, "adaptive_fit");
   if (!options.knot_interval && !options.knots && data.size() >= 2) {
     options.knot_interval =
@@ -52,7 +54,10 @@ template <typename Curve, StampedPoses Poses>
       }
       finer.push_back(*knot);
     }
-    if (finer.size() + static_cast<std::size_t>(k) - 1 == knots.size()) return result;
+    // A span that is halved keeps two poses on either side, which is still too few for the control points in all where
+    // there are hardly more of them than the order.
+    const bool same = finer.size() + static_cast<std::size_t>(k) - 1 == knots.size();
+    if (same || finer.size() - 1 > data.size()) return result;
     finer.insert(finer.end(), knots.end() - k + 1, knots.end());
     options.knot_interval.reset();
     options.knots = KnotsOf<Curve>{std::move(finer)};

@@ -66,14 +66,16 @@ class BandedSystem {
   }
 
   /// Adds |r + Σ J_i δ_i + J_border δ_border|² to what is minimised by A δ = b; the first of the N blocks is `first`.
-  template <int Rows, std::size_t N>
+  /// Where J has fewer columns than Dof, they are those from `column` on and the others are zero.
+  template <int column = 0, int Rows, int Columns, std::size_t N>
   void add(std::size_t first, const Eigen::Matrix<Scalar, Rows, 1>& r,
-           const std::array<Eigen::Matrix<Scalar, Rows, Dof>, N>& J) {
-    static_assert(N <= Reach + 1);
+           const std::array<Eigen::Matrix<Scalar, Rows, Columns>, N>& J) {
+    static_assert(N <= Reach + 1 && column + Columns <= Dof);
     for (std::size_t i = 0; i < N; ++i) {
-      right.blocks[first + i].noalias() -= J[i].transpose() * r;
+      right.blocks[first + i].template segment<Columns>(column).noalias() -= J[i].transpose() * r;
       for (std::size_t j = 0; j <= i; ++j) {
-        rows[first + i].lower[i - j] += J[i].transpose().lazyProduct(J[j]);
+        rows[first + i].lower[i - j].template block<Columns, Columns>(column, column) +=
+            J[i].transpose().lazyProduct(J[j]);
       }
     }
   }

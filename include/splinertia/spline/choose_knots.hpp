@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/fit.hpp>
 #include <stdexcept>
@@ -15,10 +16,21 @@
 
 namespace splinertia {
 
+/// Throws std::invalid_argument, naming whose goal it is, unless every component is finite and positive.
+template <LieGroup G>
+void check_goal(const char* whose, const Tangent<G>& goal) {
+  for (int i = 0; i < goal.size(); ++i) {
+    if (is_finite(goal[i]) && goal[i] > ScalarOf<G>(0)) continue;
+    throw std::invalid_argument(
+        message(whose, ": component ", i, " of the goal is ", goal[i], ", expected a finite number > 0"));
+  }
+}
+
 /// The options for the many fits of a search. Most are with knots too far apart, which neither shows what an outlier is
 /// nor is mended by iterations. So where the loss is robust, outliers are those of a fit with a segment for every four
 /// poses, further off than outlier_limit times the goal (or the standard deviation, where there is none); they get the
-/// weight 0, and the rest is a matter of squares.
+/// weight 0, and the rest is a matter of squares. Poses of which most are further off are none with outliers; they miss
+/// the goal, and all keep their weight.
 template <typename Curve>
 [[nodiscard]] FitOptions<Curve> search_options(FitOptions<Curve> options, const PosesOf<Curve>& data,
                                                const std::optional<Tangent<typename Curve::Group>>& goal) {
@@ -31,8 +43,11 @@ template <typename Curve>
     finest.knots.reset();
     finest.knot_interval = seconds<double>(data.back().time - data.front().time) / static_cast<double>(segments);
     if (goal) finest.standard_deviation = goal;
+    const auto outliers = fit<Curve>(data, finest).outliers;
     if (options.weights.empty()) options.weights.assign(data.size(), Scalar(1));
-    for (const std::size_t i : fit<Curve>(data, finest).outliers) options.weights[i] = Scalar(0);
+    if (outliers.size() < data.size() / 2) {
+      for (const std::size_t i : outliers) options.weights[i] = Scalar(0);
+    }
   }
   options.loss = RobustLoss::squares();
   options.most_iterations = std::min(options.most_iterations, 10);
@@ -44,11 +59,12 @@ template <typename Curve>
 /// halves the interval, from one segment for a thousand poses on, until that holds, and then searches between the last
 /// two.
 ///
-/// Throws std::runtime_error if no interval does that has at least as many poses as control points, and what fit()
-/// throws.
+/// Throws std::runtime_error if no interval does that has at least as many poses as control points, and
+/// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
 template <typename Curve, StampedPoses Poses>
 [[nodiscard]] double coarsest_knot_interval(const Poses& poses, const Tangent<typename Curve::Group>& goal,
                                             FitOptions<Curve> options = {}) {
+  check_goal<typename Curve::Group>("coarsest_knot_interval", goal);
   const auto data = fit_data<Curve>(poses, "coarsest_knot_interval");
   options = search_options<Curve>(std::move(options), data, goal);
   options.knots.reset();
@@ -60,14 +76,15 @@ template <typename Curve, StampedPoses Poses>
     reached = fit<Curve>(data, options).residuals.component_rms;
     return (reached.array() <= goal.array()).all();
   };
-  const std::size_t most = data.size() < Curve::order ? 0 : data.size() - Curve::order + 1;
+  // Of fewer poses than control points of one segment, fit() says so.
+  const std::size_t most = data.size() < Curve::order ? 1 : data.size() - Curve::order + 1;
   std::size_t too_few = 0, enough = std::max<std::size_t>(1, data.size() / 1000);
   while (enough <= most && !good(enough)) {
     too_few = enough;
     enough = enough < most ? std::min(2 * enough, most) : most + 1;
   }
   if (enough > most) {
-    throw std::runtime_error(message("coarsest_knot_interval: with knots ", interval_of(std::max<std::size_t>(most, 1)),
+    throw std::runtime_error(message("coarsest_knot_interval: with knots ", interval_of(most),
                                      " s apart, as many as there are poses, the residuals still are up to ",
                                      reached.cwiseQuotient(goal).maxCoeff(), " times the goal"));
   }
@@ -105,6 +122,13 @@ template <typename Curve, StampedPoses Poses>
   const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
   const double span = seconds<double>(data.back().time - data.front().time);
 
+  // A component that never moves has no error but rounding, which says nothing about an interval.
+  Scalar size(1);
+  for (const auto& pose : data) {
+    size = std::max(size, Scalar(GroupTraits<typename Curve::Group>::log(pose.value).cwiseAbs().maxCoeff()));
+  }
+  const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * size, least_square = rounding * rounding;
+
   const auto error_of = [&](double interval) {
     options.knot_interval = interval;
     Tangent<typename Curve::Group> squares = Tangent<typename Curve::Group>::Zero();
@@ -120,10 +144,8 @@ template <typename Curve, StampedPoses Poses>
         ++count;
       }
     }
-    // A component that never moves has no error, at any interval.
-    const Scalar least = std::numeric_limits<Scalar>::min();
-    const auto logarithms = (squares.array() / static_cast<Scalar>(std::max<std::size_t>(count, 1))).max(least).log();
-    return std::exp(static_cast<double>(logarithms.mean()) / 2);
+    squares /= static_cast<Scalar>(std::max<std::size_t>(count, 1));
+    return std::exp(static_cast<double>(squares.array().max(least_square).log().mean()) / 2);
   };
 
   CrossValidation result{span, {}};

@@ -57,7 +57,7 @@ class EndTerm {
       // The highest derivative, an Order-th difference of the control points, goes on through the knot.
       Combination c;
       for (int j = 0; j < order; ++j) {
-        c.coefficient[j] =
+        c.coefficient[static_cast<std::size_t>(j)] =
             Scalar((j % 2 == 0 ? 1 : -1) * binomial(order - 1, j)) / Scalar(binomial(order - 1, order / 2));
       }
       for (std::size_t s = 0; s + 1 < order / 2; ++s) {

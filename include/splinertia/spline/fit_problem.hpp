@@ -55,7 +55,22 @@ class FitProblem {
   /// The spline nearest to the poses; of a robust loss without a given deviation, in rounds, since what is an outlier
   /// depends on the deviation, and this on what is not.
   void solve() {
-    constexpr Scalar rough = Scalar(1) / Scalar(1000);
+    constexpr Scalar rough = Scalar(1) / Scalar(1000), epsilon = std::numeric_limits<Scalar>::epsilon();
+    System system(fit_.spline.control_points().size());
+    BandedCholesky<System> factor;
+    const auto minimize_with = [&](const RobustLoss& loss, const Scalar& relative, int most_iterations) {
+      const Scalar whitened_extent = extent_.cwiseQuotient(fit_.standard_deviation).maxCoeff();
+      const PoseTerm<Curve> poses = pose_term(loss);
+      const SmoothnessTerms<Curve> smoothness = smoothness_terms();
+      system.clear();
+      const auto minimum =
+          minimize(Model(poses, smoothness), fit_.spline, system, factor,
+                   {.relative = std::max(relative, 16 * epsilon),
+                    .absolute = epsilon * whitened_extent * whitened_extent,
+                    .most_iterations = std::min(most_iterations, options_.most_iterations - fit_.iterations)});
+      fit_.iterations += minimum.iterations;
+      fit_.converged = minimum.converged;
+    };
     if (options_.standard_deviation || options_.loss.is_squares()) {
       fit_.standard_deviation = options_.standard_deviation.value_or(Tangent<G>::Ones());
     } else {
@@ -71,6 +86,9 @@ class FitProblem {
     // Squares converge quadratically or nearly; weights that are found anew in each step do so linearly, and what is
     // left of them moves nothing.
     minimize_with(options_.loss, options_.loss.is_squares() ? Scalar(1e-12f) : Scalar(1e-6f), options_.most_iterations);
+    // The last step may have been damped, or there was none.
+    fit_.condition = factor.compute(system, Scalar(0)) ? condition_estimate(system, factor)
+                                                       : std::numeric_limits<Scalar>::infinity();
     if (!options_.standard_deviation) fit_.standard_deviation = deviation_of_residuals();
   }
 
@@ -98,6 +116,7 @@ class FitProblem {
 
  private:
   using Model = CurveModel<Curve, Curve::order - 1, PoseTerm<Curve>, SmoothnessTerms<Curve>>;
+  using System = typename Model::System;
 
   [[nodiscard]] auto counts() const {
     return [this](std::size_t i) { return options_.weights.empty() || options_.weights[i] > Scalar(0); };
@@ -110,30 +129,13 @@ class FitProblem {
   }
 
   [[nodiscard]] Tangent<G> deviation_of_residuals() const {
-    return robust_deviation<Curve>(data_, fit_.spline, counts(), free_share_, extent_);
-  }
-
-  void minimize_with(const RobustLoss& loss, const Scalar& relative, int most_iterations) {
-    constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    const Scalar whitened_extent = extent_ * fit_.standard_deviation.cwiseInverse().maxCoeff();
-    const PoseTerm<Curve> poses = pose_term(loss);
-    const SmoothnessTerms<Curve> smoothness = smoothness_terms();
-    typename Model::System system(fit_.spline.control_points().size());
-    BandedCholesky<typename Model::System> factor;
-    const auto minimum =
-        minimize(Model(poses, smoothness), fit_.spline, system, factor,
-                 {.relative = std::max(relative, 16 * epsilon),
-                  .absolute = epsilon * whitened_extent * whitened_extent,
-                  .most_iterations = std::min(most_iterations, options_.most_iterations - fit_.iterations)});
-    fit_.iterations += minimum.iterations;
-    fit_.converged = minimum.converged;
-    fit_.condition = condition_estimate(system, factor);
+    return robust_deviation<Curve>(data_, fit_.spline, counts(), free_share_, extent_.maxCoeff());
   }
 
   const FitOptions<Curve>& options_;
   PosesOf<Curve> data_;
   Fit<Curve> fit_;
-  Scalar extent_;      // of the poses
+  Tangent<G> extent_;  // of the poses
   Scalar free_share_;  // of the data that the control points do not take
 };
 

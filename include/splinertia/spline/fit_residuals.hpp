@@ -39,12 +39,12 @@ template <typename Curve>
   return result;
 }
 
-/// The largest component of the way from the first pose to any.
+/// The largest magnitude that each component of the way from the first pose to any has.
 template <LieGroup G, typename Time>
-[[nodiscard]] ScalarOf<G> extent_of(const std::vector<Stamped<G, Time>>& data) {
-  ScalarOf<G> extent(0);
+[[nodiscard]] Tangent<G> extent_of(const std::vector<Stamped<G, Time>>& data) {
+  Tangent<G> extent = Tangent<G>::Zero();
   for (const auto& pose : data) {
-    extent = std::max(extent, ScalarOf<G>(increment<G>(data.front().value, pose.value).cwiseAbs().maxCoeff()));
+    extent = extent.cwiseMax(increment<G>(data.front().value, pose.value).cwiseAbs());
   }
   return extent;
 }

@@ -86,7 +86,7 @@ template <typename Curve, StampedPoses Poses>
   const EndTerm<Curve> end_term(ends, curve);
   typename Model::System system(control_points);
   BandedCholesky<typename Model::System> factor;
-  const Scalar extent = extent_of(data), epsilon = std::numeric_limits<Scalar>::epsilon();
+  const Scalar extent = extent_of(data).maxCoeff(), epsilon = std::numeric_limits<Scalar>::epsilon();
   const auto minimum = minimize(Model(through, end_term), curve, system, factor,
                                 {.relative = Scalar(0), .absolute = epsilon * extent * extent, .most_iterations = 100});
   const auto all = [](std::size_t) { return true; };

@@ -93,7 +93,7 @@ template <typename Curve>
   const auto segments_of = [&](double span, double interval) {
     // As many as span/interval if that is an integer but for rounding.
     const double quotient = span / interval;
-    const double segments = std::max(1.0, std::ceil(quotient - 1e-9 * std::max(1.0, quotient)));
+    const double segments = std::max(1.0, std::ceil(quotient * (1 - 1e-9)));
     const double most = 100 * static_cast<double>(poses.size());
     if (!(segments <= most)) {
       throw std::invalid_argument(message("fit: knots ", interval, " s apart over ", span, " s are more than ", most,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <splinertia/group/lie_group.hpp>
@@ -50,23 +51,26 @@ class PoseTerm {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       const Scalar weight = weights_.empty() ? Scalar(1) : weights_[i];
       if (weight == Scalar(0)) continue;
-      auto at = curve.template linearize<0>(poses_[i].time);
+      const auto at = curve.template linearize<0>(poses_[i].time);
       const Tangent<G> r = increment<G>(poses_[i].value, at.value);
       const Tangent<G> whitened = inverse_deviation_.cwiseProduct(r);
-      Tangent<G> root;
+      Jacobian<G> by_value = Jacobian<G>::Identity();
+      if constexpr (!is_commutative<G>) by_value = right_jacobian_inverse<G>(r);
       TangentParts<G>::for_each([&](auto first, auto rows) {
-        const Scalar square = weight * whitened.template segment<rows>(first).squaredNorm();
+        using Part = Eigen::Matrix<Scalar, rows, 1>;
+        using PartJacobian = Eigen::Matrix<Scalar, rows, rows>;
+        const Part part = whitened.template segment<rows>(first);
+        const Scalar square = weight * part.squaredNorm();
         cost += loss_.cost(square);
-        root.template segment<rows>(first).setConstant(sqrt(weight * loss_.weight(square)));
+        const Scalar root = sqrt(weight * loss_.weight(square));
+        const PartJacobian outer = (root * inverse_deviation_.template segment<rows>(first)).asDiagonal() *
+                                   by_value.template block<rows, rows>(first, first);
+        std::array<PartJacobian, Curve::order> J;
+        for (std::size_t j = 0; j < J.size(); ++j) {
+          J[j] = outer.lazyProduct(at.value_jacobian[j].template block<rows, rows>(first, first));
+        }
+        system.template add<first>(at.first, Part(root * part), J);
       });
-      const Tangent<G> scale = root.cwiseProduct(inverse_deviation_);
-      if constexpr (is_commutative<G>) {
-        for (auto& J : at.value_jacobian) J = scale.asDiagonal() * J;
-      } else {
-        const Jacobian<G> outer = scale.asDiagonal() * right_jacobian_inverse<G>(r);
-        for (auto& J : at.value_jacobian) J = Jacobian<G>(outer.lazyProduct(J));
-      }
-      system.add(at.first, Tangent<G>(root.cwiseProduct(whitened)), at.value_jacobian);
     }
     return cost;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <numbers>
 #include <splinertia/time.hpp>
 
@@ -11,7 +12,7 @@ namespace splinertia {
 
 /// Nodes on [0, 1] and weights of Gauss and Legendre, exact to degree 2n − 1, and the matrix that takes the values of a
 /// polynomial of degree n − 1 at the nodes to its derivatives there.
-template <typename Scalar, int n>
+template <typename Scalar, std::size_t n>
 struct Quadrature {
   std::array<Scalar, n> node, weight;
   std::array<std::array<Scalar, n>, n> derivative;
@@ -19,13 +20,13 @@ struct Quadrature {
   Quadrature() {
     using std::abs;
     using std::cos;
-    for (int i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       Scalar x = -cos(Scalar(std::numbers::pi_v<long double>) * Scalar(4 * i + 3) / Scalar(4 * n + 2));
       Scalar slope(1);
       // Newton's method on the Legendre polynomial; from this start it is quadratic at once.
       for (int iteration = 0; iteration < 8; ++iteration) {
         Scalar before(1), value = x;
-        for (int m = 2; m <= n; ++m) {
+        for (std::size_t m = 2; m <= n; ++m) {
           const Scalar next = (Scalar(2 * m - 1) * x * value - Scalar(m - 1) * before) / Scalar(m);
           before = value;
           value = next;
@@ -36,14 +37,14 @@ struct Quadrature {
       node[i] = (x + 1) / 2;
       weight[i] = 1 / ((1 - x * x) * slope * slope);
     }
-    for (int i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       derivative[i][i] = Scalar(0);
-      for (int j = 0; j < n; ++j) {
+      for (std::size_t j = 0; j < n; ++j) {
         if (j == i) continue;
         // Of Lagrange's polynomial of node j, at node i.
         derivative[i][i] += 1 / (node[i] - node[j]);
         Scalar product = 1 / (node[j] - node[i]);
-        for (int l = 0; l < n; ++l) {
+        for (std::size_t l = 0; l < n; ++l) {
           if (l != i && l != j) product *= (node[i] - node[l]) / (node[j] - node[l]);
         }
         derivative[i][j] = product;
@@ -54,8 +55,8 @@ struct Quadrature {
   /// The derivative, at the nodes, of the polynomial with these values there.
   [[nodiscard]] std::array<Scalar, n> differentiated(const std::array<Scalar, n>& values) const {
     std::array<Scalar, n> result{};
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) result[i] += derivative[i][j] * values[j];
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) result[i] += derivative[i][j] * values[j];
     }
     return result;
   }
@@ -63,9 +64,9 @@ struct Quadrature {
   /// That polynomial at x.
   [[nodiscard]] Scalar value_at(const Scalar& x, const std::array<Scalar, n>& values) const {
     Scalar sum(0);
-    for (int j = 0; j < n; ++j) {
+    for (std::size_t j = 0; j < n; ++j) {
       Scalar product = values[j];
-      for (int l = 0; l < n; ++l) {
+      for (std::size_t l = 0; l < n; ++l) {
         if (l != j) product *= (x - node[l]) / (node[j] - node[l]);
       }
       sum += product;

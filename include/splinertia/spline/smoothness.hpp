@@ -11,9 +11,9 @@
 
 namespace splinertia {
 
-/// ∫ |x⁽ᵈ⁾/density|² dt over some segments of a curve as squares to minimise; d = 1, 2 or 3. Exact for Rⁿ. On other
-/// groups the third derivative is that of the polynomial through the second at the nodes of a segment, as good as the
-/// spline's own approximation.
+/// ∫ |x⁽ᵈ⁾/density|² dt over some segments of a curve as squares to minimise; d = 2 or 3, of order 2: 1. Exact for Rⁿ.
+/// On other groups the third derivative is that of the polynomial through the second at the nodes of a segment, as good
+/// as the spline's own approximation.
 template <typename Curve>
 class SmoothnessTerm {
  public:
@@ -21,15 +21,18 @@ class SmoothnessTerm {
   using Scalar = typename Curve::Scalar;
   static constexpr int order = Curve::order;
 
-  /// Requires 1 <= derivative <= min(3, order − 1) and positive densities. Segments first … last count.
+  /// Requires derivative 1 of order 2, else 2 or 3 (3 from order 4 on), and positive densities. Segments
+  /// first … last count.
   SmoothnessTerm(int derivative, const Tangent<G>& density, std::size_t first, std::size_t last)
       : derivative_(derivative), inverse_density_(density.cwiseInverse()), first_(first), last_(last) {}
 
   template <typename System>
   Scalar add(const Curve& curve, System& system) const {
-    if (derivative_ == 1) return add<1>(curve, system);
-    if constexpr (order >= 3) return add<2>(curve, system);
-    return Scalar(0);
+    if constexpr (order >= 3) {
+      return add<2>(curve, system);
+    } else {
+      return add<1>(curve, system);
+    }
   }
 
  private:

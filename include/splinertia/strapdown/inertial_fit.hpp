@@ -18,11 +18,11 @@ namespace splinertia {
 template <typename Scalar>
 struct CalibratedImu {
   ImuCalibration<Scalar> calibration;
-  /// One sigma of each, as the given noise of samples and poses implies; 0 of what was not estimated, infinite of what
-  /// the motion does not show. `gravity`: in rad, about the two axes at right angles to it and 0 along it.
+  /// One sigma of each, as the given noise of samples and poses implies; 0 of what was not estimated, infinite or huge
+  /// of what the motion does not show (and there the estimate is any that fits).
   struct {
     Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
-    Eigen::Matrix<Scalar, 2, 1> gravity_direction;
+    Eigen::Matrix<Scalar, 2, 1> gravity_direction;  ///< rad, towards each column of gravity_tangent()
     Scalar time_offset;
   } standard_deviation;
   Scalar gyro_rms;      ///< rad/s, of the residuals, axes together
@@ -37,11 +37,13 @@ struct InertialFit : Fit<Curve> {
   CalibratedImu<typename Curve::Scalar> imu;
 };
 
-/// The squares are those of noise, which leaves a cost of about one for each: what is lost is nothing beside it.
+/// The squares are those of noise, which leaves a cost of about one for each: what is lost is nothing beside it. Of
+/// data without noise nothing is left but rounding.
 template <typename Scalar>
-[[nodiscard]] Convergence<Scalar> inertial_convergence(int most_iterations) {
-  return {.relative = std::max(Scalar(1e-10f), 16 * std::numeric_limits<Scalar>::epsilon()),
-          .absolute = std::numeric_limits<Scalar>::min(),
+[[nodiscard]] Convergence<Scalar> inertial_convergence(std::size_t samples, int most_iterations) {
+  constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  return {.relative = std::max(Scalar(1e-10f), 16 * epsilon),
+          .absolute = epsilon * static_cast<Scalar>(6 * samples),
           .most_iterations = most_iterations};
 }
 
@@ -110,18 +112,40 @@ class CalibrationModel {
   const Curve& curve_;
 };
 
+/// The standard deviations of all unknowns of a calibration, at the minimum. `factor` is overwritten.
+template <typename Curve>
+[[nodiscard]] auto calibration_deviation(const InertialSystem<Curve>& system,
+                                         BandedCholesky<InertialSystem<Curve>>& factor) {
+  using std::sqrt;
+  using Scalar = typename Curve::Scalar;
+  constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  Eigen::Matrix<Scalar, CalibrationRows::count, 1> deviation;
+  deviation.setConstant(infinity);
+  // Where unknowns have the same effect to rounding, a little damping holds them: then those of which the variance is
+  // up to what the damping allows are not seen, and the others do not feel it.
+  const Scalar little = sqrt(std::numeric_limits<Scalar>::epsilon());
+  const bool regular = factor.compute(system, Scalar(0));
+  if (!regular && !factor.compute(system, little)) return deviation;
+  const auto covariance = factor.border_covariance();
+  for (int i = 0; i < CalibrationRows::count; ++i) {
+    const Scalar information = system.corner(i, i), variance = covariance(i, i);
+    const bool seen = information > InertialTerm<Curve>::nothing &&
+                      (regular || variance * information * little < Scalar(1) / Scalar(100));
+    if (seen) deviation[i] = sqrt(variance);
+  }
+  return deviation;
+}
+
 /// What minimize() has found, with its standard deviations.
 template <typename Curve>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrated_imu(
     const InertialTerm<Curve>& samples, const Curve& curve, const ImuCalibration<typename Curve::Scalar>& calibration,
-    const InertialSystem<Curve>& system, const Minimum<typename Curve::Scalar>& minimum) {
+    const InertialSystem<Curve>& system, BandedCholesky<InertialSystem<Curve>>& factor,
+    const Minimum<typename Curve::Scalar>& minimum) {
   using Scalar = typename Curve::Scalar;
   using Rows = CalibrationRows;
-  Eigen::Matrix<Scalar, Rows::count, 1> deviation;
-  deviation.setConstant(std::numeric_limits<Scalar>::infinity());
-  BandedCholesky<InertialSystem<Curve>> factor;
-  if (factor.compute(system, Scalar(0))) deviation = factor.border_covariance().diagonal().cwiseSqrt();
-  deviation = samples.estimated().select(deviation, Scalar(0));
+  const Eigen::Matrix<Scalar, Rows::count, 1> deviation =
+      samples.estimated().select(calibration_deviation<Curve>(system, factor), Scalar(0));
   const auto [gyro_rms, accel_rms] = samples.rms(curve, calibration);
   return {calibration,
           {deviation.template segment<3>(Rows::gyro_bias), deviation.template segment<3>(Rows::accel_bias),
@@ -152,14 +176,15 @@ template <typename Curve, std::ranges::forward_range Samples>
   BandedCholesky<InertialSystem<Curve>> factor;
   auto calibration = options.calibration;
   const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
-                                inertial_convergence<typename Curve::Scalar>(100));
-  return calibrated_imu(term, curve, calibration, system, minimum);
+                                inertial_convergence<typename Curve::Scalar>(term.size(), 100));
+  return calibrated_imu(term, curve, calibration, system, factor, minimum);
 }
 
 /// The spline nearest to poses and to the samples of an IMU at once, each by its standard deviation, and the IMU's
-/// calibration. It starts from fit(poses, options), whose `standard_deviation` of a pose should be given: by default it
-/// is what fit() has found in the residuals. Rates of the IMU beside sparse or noisy poses make knots possible that the
-/// poses alone could not hold; where they leave gaps, the IMU bridges them.
+/// calibration. It starts from fit(poses, options) or, where that is nearer to the samples as well, from the poses at
+/// their times. The `standard_deviation` of a pose should be given: by default it is what fit() has found in the
+/// residuals. Rates of the IMU beside sparse or noisy poses make knots possible that the poses alone could not hold;
+/// where they leave gaps, the IMU bridges them.
 ///
 /// Memory and time are linear in the number of poses and samples. Throws as fit() and calibrate_imu() do.
 template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples>
@@ -169,20 +194,33 @@ template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples
                                               const InertialOptions<typename Curve::Scalar>& imu) {
   using Scalar = typename Curve::Scalar;
   FitProblem<Curve> problem(poses, options);
+  const Curve unfitted = problem.curve();
   problem.solve();
   const InertialTerm<Curve> samples_term(samples, imu, problem.curve());
   const PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
   const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms();
-  InertialState<Curve> state{problem.curve(), calibrate_imu(problem.curve(), samples, imu).calibration};
-  InertialSystem<Curve> system(state.curve.control_points().size());
+  const InertialModel model(samples_term, pose_term, smoothness);
+  InertialSystem<Curve> system(unfitted.control_points().size());
+  const auto start = [&](const Curve& curve) {
+    InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu).calibration};
+    system.clear();
+    const Scalar cost = model.linearize(state, system);
+    return std::pair(cost, std::move(state));
+  };
+  // Across a gap, or with knots that the poses hardly hold, the curve that is nearest to the poses alone goes astray.
+  auto [cost, state] = start(problem.curve());
+  auto [cost_of_unfitted, unfitted_state] = start(unfitted);
+  if (cost_of_unfitted < cost) state = std::move(unfitted_state);
+  system.clear();
   BandedCholesky<InertialSystem<Curve>> factor;
-  const auto minimum = minimize(InertialModel(samples_term, pose_term, smoothness), state, system, factor,
-                                inertial_convergence<Scalar>(options.most_iterations));
-  auto calibrated = calibrated_imu(samples_term, state.curve, state.calibration, system, minimum);
+  const auto minimum = minimize(model, state, system, factor,
+                                inertial_convergence<Scalar>(samples_term.size(), options.most_iterations));
+  auto calibrated = calibrated_imu(samples_term, state.curve, state.calibration, system, factor, minimum);
   InertialFit<Curve> result{std::move(problem).report(std::move(state.curve)), std::move(calibrated)};
   result.iterations += minimum.iterations;
   result.converged = minimum.converged;
-  result.condition = condition_estimate(system, factor);
+  result.condition =
+      factor.compute(system, Scalar(0)) ? condition_estimate(system, factor) : std::numeric_limits<Scalar>::infinity();
   return result;
 }
 

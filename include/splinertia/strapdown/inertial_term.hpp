@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <ranges>
 #include <splinertia/finite.hpp>
 #include <splinertia/message.hpp>
@@ -32,7 +33,9 @@ struct InertialOptions {
   bool estimate_gyro_bias = true;
   bool estimate_accel_bias = true;
   bool estimate_gravity_direction = true;  ///< its amount is kept
-  bool estimate_lever_arm = false;         ///< p_BI; R_BI is kept
+  /// p_BI; R_BI is kept. This and the time offset need a motion that shows them: of a body at rest, the noise that the
+  /// curve follows is taken for one.
+  bool estimate_lever_arm = false;
   bool estimate_time_offset = false;
   /// s: samples as close to the ends of the curve are left out while the time offset is estimated, which stays within.
   double largest_time_offset = 0.1;
@@ -63,6 +66,8 @@ class InertialTerm {
   using Scalar = typename Curve::Scalar;
   using Time = typename Curve::Time;
   using Rows = CalibrationRows;
+  /// Stands on the diagonal for the information about an unknown of which there is none.
+  static constexpr Scalar nothing = std::numeric_limits<Scalar>::min();
 
   /// Samples outside the curve are left out. Throws std::invalid_argument for a sample that is not finite or not later
   /// than the one before it, for bad options, and if no sample is left.
@@ -74,9 +79,14 @@ class InertialTerm {
     require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
     require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
     require_positive("InertialOptions", "the amount of gravity", options.calibration.gravity.norm());
-    if (!(std::abs(options.calibration.time_offset) <= options.largest_time_offset)) {
+    require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
+    if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
       throw std::invalid_argument(message("InertialOptions: time_offset is ", options.calibration.time_offset,
                                           " s, expected at most largest_time_offset, ", options.largest_time_offset));
+    }
+    const auto& from = options.calibration;
+    if (!from.gyro_bias.allFinite() || !from.accel_bias.allFinite() || !from.arm.p_BI.allFinite()) {
+      throw std::invalid_argument("InertialOptions: expected biases and lever arm to be finite");
     }
     const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
     const double offset = options.estimate_time_offset ? 0 : options.calibration.time_offset;
@@ -153,9 +163,9 @@ class InertialTerm {
       border = weight.asDiagonal() * border;
       system.add(at.first, r, J, border);
     }
-    // An unknown that is kept meets nothing and stays where it is.
+    // An unknown that is kept, or that nothing shows, meets nothing and stays where it is.
     for (int i = 0; i < Rows::count; ++i) {
-      if (system.corner(i, i) == Scalar(0)) system.corner(i, i) = Scalar(1);
+      if (system.corner(i, i) == Scalar(0)) system.corner(i, i) = nothing;
     }
     return cost;
   }
