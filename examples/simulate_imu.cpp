@@ -21,6 +21,7 @@
 #include "support/error_yaml.hpp"
 #include "support/kalibr.hpp"
 #include "support/progress.hpp"
+#include "support/trajectory_fit.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -39,7 +40,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::string group = "split";
   int order = 4;
-  double knot_interval = 0.05;
+  std::optional<double> knot_interval;
   std::filesystem::path output = ".";
   std::filesystem::path csv;
   bool help_errors = false;
@@ -216,48 +217,39 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   if (table_csv) write_table(*table_csv, ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
 }
 
-using Poses = std::vector<Stamped<SO3xR3<double>>>;
-
-/// The poses at uniform times, interpolated between their neighbours, as control points. The first belongs to the first
-/// pose, so that the curve begins (order − 2)/2 intervals later. Throws std::runtime_error if they are too few.
-template <Pose G, int Order>
-Spline<G, Order, UniformKnots<nanoseconds>> resample(const Poses& poses, const Options& o) {
-  const nanoseconds interval = to_nanoseconds(o.knot_interval);
-  const nanoseconds first = poses.front().time, last = poses.back().time;
-  std::vector<G> control_points;
-  std::size_t i = 0;
-  for (nanoseconds t = first; t <= last; t += interval) {
-    while (i + 2 < poses.size() && poses[i + 1].time <= t) ++i;
-    const auto& [t0, x0] = poses[i];
-    const auto& [t1, x1] = poses[i + 1];
-    const Tangent<SO3xR3<double>> step = increment(x0, x1) * (seconds<double>(t - t0) / seconds<double>(t1 - t0));
-    const auto x = GroupTraits<SO3xR3<double>>::compose(x0, GroupTraits<SO3xR3<double>>::exp(step));
-    control_points.push_back(make_pose<G>(rotation(x), position(x)));
-  }
-  if (control_points.size() < static_cast<std::size_t>(Order)) {
-    throw std::runtime_error(message(o.trajectory.string(), ": the poses span ", seconds<double>(last - first),
-                                     " s, which gives ", control_points.size(), " control points ", o.knot_interval,
-                                     " s apart, expected at least ", Order, ", the order of the spline"));
-  }
-  return {{first + interval * (Order - 2) / 2, interval}, std::move(control_points)};
-}
-
 template <Pose G, int Order>
 void simulate_poses(const Poses& poses, const Options& o) {
-  const auto curve = resample<G, Order>(poses, o);
-  RunningError distance;
-  nanoseconds longest_gap{0};
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i > 0) longest_gap = std::max(longest_gap, poses[i].time - poses[i - 1].time);
-    if (poses[i].time < curve.start() || poses[i].time > curve.end()) continue;
-    distance.add((position(curve.template evaluate<0>(poses[i].time).value) - position(poses[i].value)).norm());
-  }
+  using Curve = UniformCurve<G, Order>;
+  const double knot_interval = o.knot_interval.value_or(default_knot_interval(poses));
+  const auto result = about(o.trajectory, [&] {
+    return fit<Curve>(fit_data<Curve>(poses, "poses"), {.knot_interval = knot_interval, .loss = RobustLoss::huber()});
+  });
+  const Curve& curve = result.spline;
+  const PoseDistances off = distances(curve, poses);
+  const Lengths distance = lengths(off.position);
   std::printf("%s: %zu poses over %g s, longest gap %g s\n", o.trajectory.string().c_str(), poses.size(),
-              seconds<double>(poses.back().time - poses.front().time), seconds<double>(longest_gap));
+              seconds<double>(poses.back().time - poses.front().time), seconds<double>(longest_interval(poses)));
   std::printf(
-      "     spline of order %d on %s, %zu control points %g s apart, within %.3g m (rms), %.3g m (max) of the poses\n",
-      Order, SplitPose<G> ? "SO(3) x R^3" : "SE(3)", curve.control_points().size(), o.knot_interval, distance.rms(),
-      distance.largest);
+      "     spline of order %d on %s, %zu control points %.4g s apart, within %.3g m (rms), %.3g m (max) of the "
+      "poses\n",
+      Order, SplitPose<G> ? "SO(3) x R^3" : "SE(3)", curve.control_points().size(),
+      seconds<double>(curve.knots().interval), distance.rms, distance.max);
+  if (!result.converged) {
+    std::printf("     the fit has not converged after %d linear systems, this is the best of it\n", result.iterations);
+  }
+  const auto list = [](const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) std::printf("       %s\n", line.c_str());
+  };
+  constexpr std::size_t most = 5;
+  if (!result.outliers.empty()) {
+    std::printf("     %zu poses lie off by more than 6 standard deviations (fit_trajectory tells more):\n",
+                result.outliers.size());
+    list(outlier_lines(poses, off, result.outliers, most));
+  }
+  if (!result.gaps.empty()) {
+    std::puts("     gaps between the poses, across which the curve takes the way of least acceleration:");
+    list(gap_lines(poses, result.gaps, most));
+  }
   simulate_along(curve, o, {});
 }
 
@@ -326,7 +318,9 @@ void add_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"split", "se3"}))
       ->needs(trajectory)
       ->capture_default_str();
-  app.add_option("--knot-interval", o.knot_interval, "of that spline [s]")->needs(trajectory)->capture_default_str();
+  app.add_option("--knot-interval", o.knot_interval,
+                 "of that spline [s]; default: 0.05, or where poses are sparse two of their intervals")
+      ->needs(trajectory);
   app.add_option("-o,--output", o.output,
                  "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM) and imu.yaml (Kalibr)")
       ->capture_default_str();
@@ -339,8 +333,8 @@ void check(const Options& o) {
   if (!(o.duration > 0) || !std::isfinite(o.duration)) {
     throw std::invalid_argument(message("--duration: ", o.duration, ", expected a positive number of seconds"));
   }
-  if (!(o.knot_interval >= 1e-6 && o.knot_interval <= 1e6)) {
-    throw std::invalid_argument(message("--knot-interval: ", o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
+  if (o.knot_interval && !(*o.knot_interval >= 1e-6 && *o.knot_interval <= 1e6)) {
+    throw std::invalid_argument(message("--knot-interval: ", *o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
   }
 }
 
@@ -349,9 +343,9 @@ void check(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
-      "The poses of a file are interpolated at uniform times and become the control points of a B-spline, which is "
-      "smooth\n"
-      "but does not pass through them; how far off it is, is printed. The ground truth written is that of the spline."};
+      "To the poses of a file a smooth spline is fitted, from the first to the last; how far it is from them, which "
+      "lie "
+      "off,\nand where they have gaps, is printed. The ground truth written is that of the spline."};
   Options options;
   add_options(app, options);
   try {

@@ -45,3 +45,19 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
 };
+
+/// What is being done, where it cannot be said how much of it is left; likewise on standard error, on a terminal only.
+class Stage {
+ public:
+  explicit Stage(const char* what) : watched_(isatty(STDERR_FILENO) == 1) {
+    if (watched_) std::fprintf(stderr, "\r\033[K%s ...", what);
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+  ~Stage() {
+    if (watched_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  bool watched_;
+};

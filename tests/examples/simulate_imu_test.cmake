@@ -56,6 +56,28 @@ foreach(file IN ITEMS groundtruth.csv poses.tum)
     endforeach()
   endforeach()
 endforeach()
+# From the first pose to the last, through exact ones to much less than a micrometre.
+run(0 "order 4 on .* 83 control points 0.05 s apart, within [0-9.]+e-[01][0-9] m .rms., [0-9.]+e-[01][0-9] m .max. of the poses\nIMU: 801 samples"
+  "${out}/circle/poses.tum" --output "${out}/again")
+file(STRINGS "${out}/again/poses.tum" poses)
+list(GET poses 0 first_pose)
+list(GET poses -1 last_pose)
+if(NOT first_pose MATCHES "^0[.]000000000 " OR NOT last_pose MATCHES "^4[.]000000000 ")
+  message(FATAL_ERROR "the curve should be from 0 to 4 s, is from\n${first_pose}\n${last_pose}")
+endif()
+# Poses that lie off, and half a second without any, are named.
+file(STRINGS "${out}/circle/poses.tum" poses)
+list(FILTER poses EXCLUDE REGEX "^2[.][0-4]")
+list(TRANSFORM poses REPLACE "^(1[.]00[05]0* -?[0-9]+)[.]" "\\1.9")
+list(JOIN poses "\n" damaged)
+file(WRITE "${out}/damaged.tum" "${damaged}\n")
+run(0 "701 poses over 4 s, longest gap 0.505 s\n.*poses lie off by more than 6 standard deviations.*\n       [01][.][0-9]+ - 1[.][0-9]+ s .*\n     gaps between the poses, .*\n       1.995 - 2.500 s: control points [0-9]+ to [0-9]+\nIMU: "
+  "${out}/damaged.tum" --output "${out}/again")
+# Sparse poses have knots further apart.
+list(FILTER poses INCLUDE REGEX "^[0-9][.][0-9]0* ")
+list(JOIN poses "\n" sparse)
+file(WRITE "${out}/sparse.tum" "${sparse}\n")
+run(0 "control points 0.2 s apart" "${out}/sparse.tum" --output "${out}/again")
 
 run(0 "Usage:.*--rate.*--gyro-noise.*--seed" --help)
 
@@ -175,7 +197,7 @@ refuse_file(":2: .*nan" nan.tum "1.0 ${pose}\n1.1 nan 0 0 0 0 0 1\n")
 refuse_file(":3: time 1.1 follows 1.1, expected increasing" stamps.tum "1.0 ${pose}\n1.1 ${pose}\n1.1 ${pose}\n")
 refuse_file(":2: quaternion .*norm 0" zero.tum "1.0 ${pose}\n1.1 0 0 0 0 0 0 0\n")
 refuse_file(": 3 poses, expected at least 4" few.tum "1.0 ${pose}\n1.1 ${pose}\n1.2 ${pose}\n")
-refuse_file(": the poses span 0.2 s, which gives 3 control points 0.1 s apart, expected at least 4" short.tum "1.0 ${pose}\n1.1 ${pose}\n1.15 ${pose}\n1.2 ${pose}\n"
+refuse_file(": fit: 4 poses for 5 control points, expected at least as many" short.tum "1.0 ${pose}\n1.1 ${pose}\n1.15 ${pose}\n1.2 ${pose}\n"
   --knot-interval 0.1)
 refuse("rate is -5 Hz, expected a positive" --rate -5)
 refuse("rate is 0 Hz, expected a positive" --rate 0)

@@ -104,17 +104,17 @@ TEST_CASE("Dense data determine every control point") {
 TEST_CASE("The control points of a gap are told") {
   using Curve = Even<4>;
   const UniformKnots<double> knots{0, 1};
-  // Control point i shapes (i − 3, i + 1): from 6 to 12.5, i = 9 … 11 alone see nothing at all. The poses before the
-  // gap have shares of i <= 8, of which the last is small, and those behind it of i >= 12.
+  // Control point i shapes (i − 3, i + 1): from 6 to 12.5, i = 9 … 11 alone see nothing at all. The pose at 6 has a
+  // quarter of the largest share of i = 8; of i = 12 those from 12.5 on have no more than 3 %, which is too little.
   auto times = spread(0, 6, 0.25);
   for (const double t : spread(12.5, 20, 0.25)) times.push_back(t);
   const auto poses = at_times<Curve>(times);
   const auto undetermined = undetermined_control_points<Curve>(knots, 23, poses, all);
-  CHECK(undetermined == Points{9, 10, 11});
+  CHECK(undetermined == Points{9, 10, 11, 12});
   const auto gaps = gaps_between(poses, Curve(knots, std::vector<Number>(23, Number(0))), undetermined);
   REQUIRE(gaps.size() == 1);
   CHECK(gaps[0].first_control_point == 9);
-  CHECK(gaps[0].last_control_point == 11);
+  CHECK(gaps[0].last_control_point == 12);
   CHECK(gaps[0].start == 6);
   CHECK(gaps[0].end == 12.5);
 

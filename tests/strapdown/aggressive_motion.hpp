@@ -17,6 +17,8 @@ struct AggressiveMotion {
   using Group = SO3xR3<Scalar>;
   using Time = Scalar;
 
+  Scalar speed = Scalar(1);  ///< less makes it gentler: t is speed times as much
+
   [[nodiscard]] Time start() const { return -std::numeric_limits<Scalar>::infinity(); }
   [[nodiscard]] Time end() const { return std::numeric_limits<Scalar>::infinity(); }
 
@@ -26,7 +28,7 @@ struct AggressiveMotion {
   [[nodiscard]] Motion<Group, D> evaluate(Time t) const {
     const auto sine = [&](double amplitude, double frequency, double phase) -> AngleMotion<Scalar> {
       using std::cos, std::sin;
-      const Scalar a = static_cast<Scalar>(amplitude), w = static_cast<Scalar>(frequency);
+      const Scalar a = static_cast<Scalar>(amplitude), w = speed * static_cast<Scalar>(frequency);
       const Scalar angle = w * t + static_cast<Scalar>(phase);
       return {a * sin(angle), a * w * cos(angle), -a * w * w * sin(angle)};
     };

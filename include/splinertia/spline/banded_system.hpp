@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace splinertia {
@@ -85,14 +85,14 @@ class BandedSystem {
            const std::array<Eigen::Matrix<Scalar, Rows, Dof>, N>& J,
            const Eigen::Matrix<Scalar, Rows, Border>& J_border) {
     add(first, r, J);
-    for (std::size_t i = 0; i < N; ++i) rows[first + i].border.noalias() += J[i].transpose() * J_border;
+    for (std::size_t i = 0; i < N; ++i) rows[first + i].border += J[i].transpose().lazyProduct(J_border);
     add_border(r, J_border);
   }
   /// The same of a residual that meets no control point.
   template <int Rows>
     requires(Border > 0)
   void add_border(const Eigen::Matrix<Scalar, Rows, 1>& r, const Eigen::Matrix<Scalar, Rows, Border>& J_border) {
-    corner.noalias() += J_border.transpose() * J_border;
+    corner += J_border.transpose().lazyProduct(J_border);
     right.border.noalias() -= J_border.transpose() * r;
   }
 
@@ -120,7 +120,7 @@ class BandedCholesky {
     if constexpr (border > 0) {
       corner_ = system.corner;
       corner_.diagonal() *= Scalar(1) + damping;
-      for (const auto& row : rows_) corner_.noalias() -= row.border.transpose() * row.border;
+      for (const auto& row : rows_) corner_ -= row.border.transpose().lazyProduct(row.border);
       return factorize(corner_);
     }
     return true;
@@ -131,16 +131,16 @@ class BandedCholesky {
     const std::size_t n = rows_.size();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 1; j <= reach(i); ++j) x.blocks[i].noalias() -= rows_[i].lower[j] * x.blocks[i - j];
-      rows_[i].lower[0].template triangularView<Eigen::Lower>().solveInPlace(x.blocks[i]);
+      solve_lower(rows_[i].lower[0], x.blocks[i]);
     }
     if constexpr (border > 0) {
       for (std::size_t i = 0; i < n; ++i) x.border.noalias() -= rows_[i].border.transpose() * x.blocks[i];
-      corner_.template triangularView<Eigen::Lower>().solveInPlace(x.border);
-      corner_.template triangularView<Eigen::Lower>().transpose().solveInPlace(x.border);
+      solve_lower(corner_, x.border);
+      solve_upper(corner_, x.border);
       for (std::size_t i = 0; i < n; ++i) x.blocks[i].noalias() -= rows_[i].border * x.border;
     }
     for (std::size_t i = n; i-- > 0;) {
-      rows_[i].lower[0].template triangularView<Eigen::Lower>().transpose().solveInPlace(x.blocks[i]);
+      solve_upper(rows_[i].lower[0], x.blocks[i]);
       for (std::size_t j = 1; j <= reach(i); ++j) {
         x.blocks[i - j].noalias() -= rows_[i].lower[j].transpose() * x.blocks[i];
       }
@@ -152,8 +152,8 @@ class BandedCholesky {
     requires(border > 0)
   {
     Corner inverse = Corner::Identity();
-    corner_.template triangularView<Eigen::Lower>().solveInPlace(inverse);
-    return inverse.transpose() * inverse;
+    solve_lower(corner_, inverse);
+    return inverse.transpose().lazyProduct(inverse);
   }
 
  private:
@@ -161,11 +161,52 @@ class BandedCholesky {
 
   [[nodiscard]] static std::size_t reach(std::size_t row) { return std::min(row, largest_reach); }
 
+  // Plain loops: what Eigen unrolls for small fixed sizes is no faster here, and takes ten seconds to compile.
+
+  /// The lower triangle of `matrix` becomes L with L Lᵀ = matrix; false unless that is positive definite to rounding.
   template <typename Matrix>
   [[nodiscard]] static bool factorize(Matrix& matrix) {
-    const Eigen::LLT<Matrix> llt(matrix);
-    matrix = llt.matrixLLT();
-    return llt.info() == Eigen::Success && matrix.diagonal().array().isFinite().all();
+    using std::isfinite;
+    using std::sqrt;
+    for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
+      for (int k = 0; k < c; ++k) {
+        for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) -= matrix(r, k) * matrix(c, k);
+      }
+      const Scalar pivot = matrix(c, c);
+      if (!(pivot > Scalar(0)) || !isfinite(pivot)) return false;
+      const Scalar inverse = Scalar(1) / sqrt(pivot);
+      for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) *= inverse;
+    }
+    return true;
+  }
+
+  /// X becomes L⁻¹ X.
+  template <typename Matrix, typename Columns>
+  static void solve_lower(const Matrix& L, Columns& X) {
+    for (int column = 0; column < Columns::ColsAtCompileTime; ++column) {
+      for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
+        const Scalar x = X(c, column) /= L(c, c);
+        for (int r = c + 1; r < Matrix::RowsAtCompileTime; ++r) X(r, column) -= L(r, c) * x;
+      }
+    }
+  }
+
+  /// x becomes L⁻ᵀ x.
+  template <typename Matrix, typename Column>
+  static void solve_upper(const Matrix& L, Column& x) {
+    for (int c = Matrix::ColsAtCompileTime; c-- > 0;) {
+      for (int r = c + 1; r < Matrix::RowsAtCompileTime; ++r) x[c] -= L(r, c) * x[r];
+      x[c] /= L(c, c);
+    }
+  }
+
+  /// X becomes X L⁻ᵀ.
+  template <typename Matrix>
+  static void solve_from_right(const Matrix& L, Matrix& X) {
+    for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
+      for (int k = 0; k < c; ++k) X.col(c) -= L(c, k) * X.col(k);
+      X.col(c) /= L(c, c);
+    }
   }
 
   [[nodiscard]] bool factorize_row(std::size_t i) {
@@ -173,17 +214,16 @@ class BandedCholesky {
     for (std::size_t j = reach(i); j > 0; --j) {
       const auto& column = rows_[i - j].lower;
       for (std::size_t k = j + 1; k <= reach(i); ++k) {
-        if (k - j > largest_reach) break;
         row[j].noalias() -= row[k] * column[k - j].transpose();
       }
-      column[0].template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(row[j]);
+      solve_from_right(column[0], row[j]);
     }
     for (std::size_t j = 1; j <= reach(i); ++j) row[0].noalias() -= row[j] * row[j].transpose();
     if (!factorize(row[0])) return false;
     if constexpr (border > 0) {
       auto& own = rows_[i].border;
-      for (std::size_t j = 1; j <= reach(i); ++j) own.noalias() -= row[j] * rows_[i - j].border;
-      row[0].template triangularView<Eigen::Lower>().solveInPlace(own);
+      for (std::size_t j = 1; j <= reach(i); ++j) own -= row[j].lazyProduct(rows_[i - j].border);
+      solve_lower(row[0], own);
     }
     return true;
   }

@@ -133,7 +133,7 @@ template <typename Curve, StampedPoses Poses>
     options.knot_interval = interval;
     Tangent<typename Curve::Group> squares = Tangent<typename Curve::Group>::Zero();
     std::size_t count = 0;
-    for (const std::size_t first : {1, 3}) {
+    for (const std::size_t first : {std::size_t(1), std::size_t(3)}) {
       options.weights = given;
       // The ends stay, or the curve would be predicted beyond its data.
       for (std::size_t i = first; i + 1 < data.size(); i += every) options.weights[i] = Scalar(0);

@@ -28,9 +28,10 @@ template <typename Scalar, int Order>
 
 /// The control points that the poses leave undetermined, in ascending order: there are too few poses where these have a
 /// share in the curve. Each control point is given one pose of its own (Schoenberg and Whitney, Trans. Amer. Math. Soc.
-/// 74 (1953) 246, say that this is what a spline of one dimension needs), at which its weight is at least a hundredth
-/// of the largest that it has anywhere, so that what is left to the others is well determined too. `counts(i)` says
-/// whether pose i counts at all.
+/// 74 (1953) 246, say that this is what a spline of one dimension needs), at which its weight is at least a tenth of
+/// the largest that it has anywhere; and one pose, which others may be given, has to be near enough for a quarter of it
+/// (a cubic's weight one interval off). So what is left to the others is well determined, too. `counts(i)` says whether
+/// pose i counts at all.
 template <typename Curve>
 [[nodiscard]] std::vector<std::size_t> undetermined_control_points(const KnotsOf<Curve>& knots,
                                                                    std::size_t control_points,
@@ -40,32 +41,33 @@ template <typename Curve>
     const auto place = knots.template basis<double, order, 0>(time, control_points);
     return std::pair(place.first, control_point_weights(place.basis));
   };
-  std::vector<double> enough(control_points, 0.0);
-  const auto note = [&](auto time) {
-    const auto [first, weights] = weights_at(time);
-    for (std::size_t j = 0; j < weights.size(); ++j) {
-      enough[first + j] = std::max(enough[first + j], weights[j] / 100);
-    }
-  };
+  std::vector<double> largest(control_points, 0.0);
   for (std::size_t s = 0; s + order <= control_points; ++s) {
     const auto begin = knots.knot(s, order), end = knots.knot(s + 1, order);
-    for (const auto time : {begin, begin + (end - begin) / 2, end}) note(time);
+    for (const auto time : {begin, begin + (end - begin) / 2, end}) {
+      const auto [first, weights] = weights_at(time);
+      for (std::size_t j = 0; j < weights.size(); ++j) largest[first + j] = std::max(largest[first + j], weights[j]);
+    }
   }
-  std::vector<std::size_t> undetermined;
+  std::vector<bool> near(control_points, false), matched(control_points, false);
   std::size_t next = 0;
-  const auto skip_to = [&](std::size_t point) {
-    for (; next < point; ++next) undetermined.push_back(next);
-  };
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!counts(i)) continue;
     const auto [first, weights] = weights_at(poses[i].time);
+    const auto share = [&, first = first, &weights = weights](std::size_t j) {
+      return weights[j] / largest[first + j];
+    };
     std::size_t low = 0, high = weights.size();
-    while (low < high && weights[low] < enough[first + low]) ++low;
-    while (high > low && weights[high - 1] < enough[first + high - 1]) --high;
-    skip_to(first + low);
-    if (next < first + high) ++next;
+    while (low < high && share(low) < 0.1) ++low;
+    while (high > low && share(high - 1) < 0.1) --high;
+    for (std::size_t j = low; j < high; ++j) near[first + j] = near[first + j] || share(j) >= 0.25 - 1e-9;
+    next = std::max(next, first + low);
+    if (next < first + high) matched[next++] = true;
   }
-  skip_to(control_points);
+  std::vector<std::size_t> undetermined;
+  for (std::size_t i = 0; i < control_points; ++i) {
+    if (!near[i] || !matched[i]) undetermined.push_back(i);
+  }
   return undetermined;
 }
 

@@ -90,6 +90,10 @@ struct Fit {
   /// Where the data do not hold the knots. There the curve takes the way of least acceleration from one side to the
   /// other (or what `smoothness` asks for), which depends on nothing that was measured.
   std::vector<FitGap<typename Curve::Time>> gaps{};
+  /// Whether the ends of a curve on uniform knots had to be held, since the noise of the poses would have bent them
+  /// beyond any rotation: from order 5 on, with few poses for a knot. NonUniformKnots with Order knots at each end do
+  /// not need it.
+  bool ends_held = false;
   int iterations = 0;      ///< linear systems solved
   bool converged = false;  ///< else most_iterations came first, or nothing lowered the cost any more
   Scalar condition{};      ///< of the normal equations scaled to ones on the diagonal, an estimate from below

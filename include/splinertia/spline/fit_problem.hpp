@@ -52,9 +52,68 @@ class FitProblem {
     free_share_ = Scalar(1) - std::min(taken, Scalar(3) / Scalar(4));
   }
 
-  /// The spline nearest to the poses; of a robust loss without a given deviation, in rounds, since what is an outlier
-  /// depends on the deviation, and this on what is not.
+  /// The spline nearest to the poses. Uniform knots leave the outermost control points of order 5 and more to weights
+  /// so small that the noise of few poses moves them by thousands of times as much: where that is more than a rotation
+  /// has room for, a second try holds the ends.
   void solve() {
+    const Curve start = fit_.spline;
+    try_to_solve();
+    if constexpr (requires { start.knots().interval; }) {
+      if (!fit_.converged && Curve::order > 4 && !options_.smoothness) {
+        fit_.ends_held = true;
+        fit_.spline = start;
+        fit_.iterations = 0;
+        try_to_solve();
+      }
+    }
+  }
+
+  [[nodiscard]] const Curve& curve() const { return fit_.spline; }
+  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const {
+    return {data_, options_.weights, fit_.standard_deviation, loss};
+  }
+  /// What holds the curve where the poses do not.
+  [[nodiscard]] SmoothnessTerms<Curve> smoothness_terms() const {
+    SmoothnessTerms<Curve> result;
+    const Curve& curve = fit_.spline;
+    const Tangent<G>& deviation = fit_.standard_deviation;
+    if (options_.smoothness) {
+      result.terms.emplace_back(options_.smoothness->derivative, options_.smoothness->density, 0, curve.segments() - 1);
+    } else {
+      bridge(result, curve, deviation, fit_.gaps);
+      if (fit_.ends_held) hold_ends(result, curve, deviation);
+    }
+    return result;
+  }
+
+  /// The report on `curve`, whether solve() has found it or another did from there on.
+  [[nodiscard]] Fit<Curve> report(Curve curve) && {
+    fit_.spline = std::move(curve);
+    fit_.residuals = residuals_of(data_, fit_.spline, counts());
+    for (std::size_t i = 0; i < data_.size(); ++i) {
+      const Scalar off = fit_.residuals.poses[i].cwiseQuotient(fit_.standard_deviation).cwiseAbs().maxCoeff();
+      if (off > Scalar(options_.outlier_limit)) fit_.outliers.push_back(i);
+    }
+    return std::move(fit_);
+  }
+
+ private:
+  using Model = CurveModel<Curve, Curve::order - 1, PoseTerm<Curve>, SmoothnessTerms<Curve>>;
+  using System = typename Model::System;
+
+  [[nodiscard]] auto counts() const {
+    return [this](std::size_t i) { return options_.weights.empty() || options_.weights[i] > Scalar(0); };
+  }
+
+  [[nodiscard]] Curve first_curve() {
+    check(options_, data_.size());
+    auto [knots, control_points] = knots_over<Curve>(data_, options_);
+    return poses_at_control_points<Curve>(data_, std::move(knots), control_points);
+  }
+
+  /// Of a robust loss without a given deviation, in rounds, since what is an outlier depends on the deviation, and this
+  /// on what is not.
+  void try_to_solve() {
     constexpr Scalar rough = Scalar(1) / Scalar(1000), epsilon = std::numeric_limits<Scalar>::epsilon();
     System system(fit_.spline.control_points().size());
     BandedCholesky<System> factor;
@@ -90,42 +149,6 @@ class FitProblem {
     fit_.condition = factor.compute(system, Scalar(0)) ? condition_estimate(system, factor)
                                                        : std::numeric_limits<Scalar>::infinity();
     if (!options_.standard_deviation) fit_.standard_deviation = deviation_of_residuals();
-  }
-
-  [[nodiscard]] const Curve& curve() const { return fit_.spline; }
-  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const {
-    return {data_, options_.weights, fit_.standard_deviation, loss};
-  }
-  /// What holds the curve where the poses do not.
-  [[nodiscard]] SmoothnessTerms<Curve> smoothness_terms() const {
-    if (!options_.smoothness) return bridges(fit_.spline, fit_.gaps, fit_.standard_deviation);
-    return {{SmoothnessTerm<Curve>(options_.smoothness->derivative, options_.smoothness->density, 0,
-                                   fit_.spline.segments() - 1)}};
-  }
-
-  /// The report on `curve`, whether solve() has found it or another did from there on.
-  [[nodiscard]] Fit<Curve> report(Curve curve) && {
-    fit_.spline = std::move(curve);
-    fit_.residuals = residuals_of(data_, fit_.spline, counts());
-    for (std::size_t i = 0; i < data_.size(); ++i) {
-      const Scalar off = fit_.residuals.poses[i].cwiseQuotient(fit_.standard_deviation).cwiseAbs().maxCoeff();
-      if (off > Scalar(options_.outlier_limit)) fit_.outliers.push_back(i);
-    }
-    return std::move(fit_);
-  }
-
- private:
-  using Model = CurveModel<Curve, Curve::order - 1, PoseTerm<Curve>, SmoothnessTerms<Curve>>;
-  using System = typename Model::System;
-
-  [[nodiscard]] auto counts() const {
-    return [this](std::size_t i) { return options_.weights.empty() || options_.weights[i] > Scalar(0); };
-  }
-
-  [[nodiscard]] Curve first_curve() {
-    check(options_, data_.size());
-    auto [knots, control_points] = knots_over<Curve>(data_, options_);
-    return poses_at_control_points<Curve>(data_, std::move(knots), control_points);
   }
 
   [[nodiscard]] Tangent<G> deviation_of_residuals() const {

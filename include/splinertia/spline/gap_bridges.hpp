@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <splinertia/spline/fit_options.hpp>
 #include <splinertia/spline/smoothness.hpp>
 #include <splinertia/time.hpp>
@@ -25,30 +24,45 @@ struct SmoothnessTerms {
   }
 };
 
-/// What holds the control points that the poses do not: the least acceleration (velocity, of order 2) over the segments
-/// that these shape, so weak that the square root of the rounding is left of it beside a pose.
+/// Adds what keeps segments first … last from bending where the poses do not say how: the least acceleration (velocity,
+/// of order 2). Beside a pose it weighs as if acceleration times interval² were known to be 0 to so many standard
+/// deviations of a pose: a hundred are nothing where there are poses, and all where there are none.
 template <typename Curve>
-[[nodiscard]] SmoothnessTerms<Curve> bridges(const Curve& curve, const std::vector<FitGap<typename Curve::Time>>& gaps,
-                                             const Tangent<typename Curve::Group>& standard_deviation) {
+void hold(SmoothnessTerms<Curve>& terms, const Curve& curve, const Tangent<typename Curve::Group>& standard_deviation,
+          std::size_t first, std::size_t last, int deviations) {
   using std::sqrt;
   using Scalar = typename Curve::Scalar;
-  constexpr std::size_t k = Curve::order;
-  constexpr int derivative = k > 2 ? 2 : 1;
-  SmoothnessTerms<Curve> result;
+  constexpr int derivative = Curve::order > 2 ? 2 : 1;
+  const auto& knots = curve.knots();
+  const Scalar length = seconds<Scalar>(knots.knot(last + 1, Curve::order) - knots.knot(first, Curve::order)) /
+                        static_cast<Scalar>(last + 1 - first);
+  if (!(length > Scalar(0))) return;
+  const Scalar unit = derivative == 2 ? length * sqrt(length) : sqrt(length);
+  terms.terms.emplace_back(derivative, Scalar(deviations) * standard_deviation / unit, first, last);
+}
+
+/// Holds the segments that the control points in gaps shape.
+template <typename Curve>
+void bridge(SmoothnessTerms<Curve>& terms, const Curve& curve, const Tangent<typename Curve::Group>& standard_deviation,
+            const std::vector<FitGap<typename Curve::Time>>& gaps) {
+  constexpr std::size_t reach = Curve::order - 1;
   std::size_t next = 0;
   for (const auto& gap : gaps) {
-    const std::size_t first = std::max(next, gap.first_control_point < k - 1 ? 0 : gap.first_control_point - (k - 1));
+    const std::size_t first = std::max(next, gap.first_control_point < reach ? 0 : gap.first_control_point - reach);
     const std::size_t last = std::min(gap.last_control_point, curve.segments() - 1);
     if (first > last) continue;
     next = last + 1;
-    const Scalar length = seconds<Scalar>(curve.knots().knot(last + 1, k) - curve.knots().knot(first, k)) /
-                          static_cast<Scalar>(last + 1 - first);
-    if (!(length > Scalar(0))) continue;
-    const Scalar unit = derivative == 2 ? length * sqrt(length) : sqrt(length);
-    const Scalar weakness = sqrt(sqrt(std::numeric_limits<Scalar>::epsilon()));
-    result.terms.emplace_back(derivative, standard_deviation / (weakness * unit), first, last);
+    hold(terms, curve, standard_deviation, first, last, 100);
   }
-  return result;
+}
+
+/// Holds the outermost Order − 2 segments at either end.
+template <typename Curve>
+void hold_ends(SmoothnessTerms<Curve>& terms, const Curve& curve,
+               const Tangent<typename Curve::Group>& standard_deviation) {
+  const std::size_t last = curve.segments() - 1, reach = std::min<std::size_t>(Curve::order - 3, last);
+  hold(terms, curve, standard_deviation, 0, reach, 10);
+  hold(terms, curve, standard_deviation, last - reach, last, 10);
 }
 
 }  // namespace splinertia

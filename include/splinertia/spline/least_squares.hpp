@@ -42,11 +42,11 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
   constexpr Scalar first_damping = Scalar(1) / Scalar(10000), most_damping(1e12f);
   Minimum<Scalar> result{model.linearize(state, system)};
   System next = system;
-  Scalar damping(0);
+  Scalar damping(0), needed(0);  // needed: to have a definite matrix at all
   while (result.iterations < until.most_iterations) {
     if (!factor.compute(system, damping)) {
       if (damping >= most_damping) return result;
-      damping = std::max(10 * damping, first_damping);
+      needed = damping = std::max(10 * damping, first_damping);
       continue;
     }
     typename System::Vector step = system.right;
@@ -54,21 +54,24 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
     ++result.iterations;
     // Of the damped step too, |J δ|² ≤ δᵀb.
     const Scalar decrease = step.dot(system.right);
+    const bool small = decrease <= until.absolute || decrease <= until.relative * result.cost;
     State candidate = model.moved(state, step);
     next.clear();
     const Scalar cost = model.linearize(candidate, next);
-    const bool last = decrease <= until.absolute || decrease <= until.relative * result.cost;
-    // Near the minimum the costs differ by their rounding alone.
+    // Near the minimum the costs differ by their rounding alone. A step that is damped more than needed may be small
+    // anywhere.
+    const bool last = small && damping <= needed;
     if (cost <= result.cost || last) {
       state = std::move(candidate);
       result.cost = cost;
       std::swap(system, next);
       damping = damping > first_damping ? damping / 10 : Scalar(0);
+      damping = std::max(damping, needed);
       if (last) {
         result.converged = true;
         return result;
       }
-    } else if (damping >= most_damping) {
+    } else if (small || damping >= most_damping) {
       return result;
     } else {
       damping = std::max(10 * damping, first_damping);

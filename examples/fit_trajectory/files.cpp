@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <deque>
+#include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/tum.hpp>
+#include <system_error>
+
+#include "report.hpp"
+
+using namespace splinertia;
+using std::chrono::nanoseconds;
+
+namespace {
+
+void append_row(AtomicFile& file, nanoseconds time, const auto&... vectors) {
+  file.append_integer(time.count());
+  const auto append = [&file](const auto& vector) {
+    for (Eigen::Index i = 0; i < vector.size(); ++i) {
+      file.append(',');
+      file.append_real(vector[i]);
+    }
+  };
+  (append(vectors), ...);
+}
+
+/// Behind its comments it is EuRoC ground truth of 8 columns.
+void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, const Options& o) {
+  file.append(message("# cumulative B-spline: p and q of control points T_WB, at the times that they belong to\n",
+                      "# group: ", o.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.order, '\n'));
+  if (fitted.interval) {
+    file.append(message(
+        "# knots: uniform\n# start [ns]: ", fitted.start.count(), "\n# interval [ns]: ", fitted.interval->count(),
+        "\n# segment s = 0, 1, ... begins at start + s*interval and uses control points s to s + ", o.order - 1, '\n'));
+  } else {
+    file.append(message("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.start.count(),
+                        "\n# from knot i to knot i + 1 it uses control points i - ", o.order - 1, " to i\n"));
+  }
+  file.append(message("# end [ns]: ", fitted.end.count(),
+                      "\n#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n"));
+  for (const auto& [time, pose] : fitted.control_points) {
+    const Eigen::Quaterniond& q = rotation(pose).unit_quaternion();
+    append_row(file, time, position(pose), Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
+    file.append('\n');
+  }
+}
+
+void write_residuals(AtomicFile& file, const FittedTrajectory& fitted) {
+  file.append(
+      "#timestamp [ns],rotation_x [rad],rotation_y [rad],rotation_z [rad],position_x [m],position_y [m],"
+      "position_z [m],outlier\n");
+  auto outlier = fitted.outliers.begin();
+  for (std::size_t i = 0; i < fitted.smoothed.size(); ++i) {
+    append_row(file, fitted.smoothed[i].time, fitted.distances.rotation[i], fitted.distances.position[i]);
+    const bool is_outlier = outlier != fitted.outliers.end() && *outlier == i;
+    if (is_outlier) ++outlier;
+    file.append(is_outlier ? ",1\n" : ",0\n");
+  }
+}
+
+void write_gaps(AtomicFile& file, const FittedTrajectory& fitted) {
+  file.append("#start [ns],end [ns],first control point,last control point\n");
+  for (const Gap& gap : fitted.gaps) {
+    file.append(message(gap.start.count(), ',', gap.end.count(), ',', gap.first_control_point, ',',
+                        gap.last_control_point, '\n'));
+  }
+}
+
+void write_knots(AtomicFile& file, const FittedTrajectory& fitted) {
+  file.append("#knot [ns]\n");
+  for (const nanoseconds knot : fitted.knots) file.append(message(knot.count(), '\n'));
+}
+
+void write_samples(AtomicFile& file, const FittedImu& imu) {
+  file.append(
+      "#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x [m/s^2],accel_y [m/s^2],accel_z [m/s^2],"
+      "gyro_residual_x [rad/s],gyro_residual_y [rad/s],gyro_residual_z [rad/s],accel_residual_x [m/s^2],"
+      "accel_residual_y [m/s^2],accel_residual_z [m/s^2]\n");
+  for (const SampleResidual& sample : imu.samples) {
+    append_row(file, sample.time, sample.gyro, sample.accel, sample.gyro_residual, sample.accel_residual);
+    file.append('\n');
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o) {
+  std::error_code error;
+  std::filesystem::create_directories(o.output, error);
+  if (error) throw std::runtime_error(message(o.output.string(), ": cannot create this folder: ", error.message()));
+  std::vector<std::string> names;
+  std::deque<AtomicFile> files;
+  const auto begin = [&](const char* name) -> AtomicFile& {
+    names.emplace_back(name);
+    return files.emplace_back(o.output / name);
+  };
+  write_control_points(begin("control_points.csv"), fitted, o);
+  if (!fitted.knots.empty()) write_knots(begin("knots.csv"), fitted);
+  write_residuals(begin("residuals.csv"), fitted);
+  write_gaps(begin("gaps.csv"), fitted);
+  if (fitted.imu) write_samples(begin("imu_residuals.csv"), *fitted.imu);
+  begin("report.txt").append(report);
+  EurocImuWriter derived(o.output / "derived_imu.csv");
+  for (const EurocImu& reading : fitted.derived) derived.append(reading);
+  TumWriter smoothed(o.output / "smoothed.tum");
+  for (const auto& pose : fitted.smoothed) smoothed.append(pose);
+  for (AtomicFile& file : files) file.commit();
+  derived.commit();
+  smoothed.commit();
+  names.insert(names.end(), {"derived_imu.csv", "smoothed.tum"});
+  // What another run has left would be taken for this one's.
+  if (fitted.knots.empty()) std::filesystem::remove(o.output / "knots.csv", error);
+  if (!fitted.imu) std::filesystem::remove(o.output / "imu_residuals.csv", error);
+  for (const char* picture : {"fit.png", "fit.svg"}) std::filesystem::remove(o.output / picture, error);
+  return names;
+}
