@@ -85,6 +85,7 @@ void describe_fit(const Fit<Curve>& fit, FittedTrajectory& result) {
   result.gaps = fit.gaps;
   result.iterations = fit.iterations;
   result.converged = fit.converged;
+  result.ends_held = fit.ends_held;
   result.condition = fit.condition;
 }
 

@@ -42,7 +42,7 @@ struct FittedTrajectory {
   std::vector<std::size_t> outliers{};
   std::vector<Gap> gaps{};
   int iterations = 0;
-  bool converged = true;
+  bool converged = true, ends_held = false;
   double condition = 0;
 
   std::vector<splinertia::EurocImu> derived{};  // ideal readings along the curve

@@ -154,6 +154,9 @@ std::vector<std::string> warnings(const Poses& poses, const FittedTrajectory& fi
                                     "curve is the best so far",
                                     fitted.iterations));
   }
+  if (fitted.ends_held) {
+    lines.push_back("the poses do not hold the ends of so high an order; its accelerations there were kept small");
+  }
   if (fitted.imu && !fitted.imu->calibrated.converged && !o.fit_imu) {
     lines.push_back("the calibration of the IMU has not converged");
   }

@@ -54,7 +54,8 @@ template <Pose G>
   }
   force_rate += alpha_rate.cross(l) + alpha.cross(omega.cross(l)) + omega.cross(alpha.cross(l));
   Eigen::Matrix<Scalar, 6, 1> rate;
-  rate << rotate_inverse<Scalar>(q_BI, alpha), rotate_inverse<Scalar>(q_BI, force_rate);
+  rate.template head<3>() = rotate_inverse<Scalar>(q_BI, alpha);
+  rate.template tail<3>() = rotate_inverse<Scalar>(q_BI, force_rate);
   return rate;
 }
 

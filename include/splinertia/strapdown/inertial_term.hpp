@@ -123,14 +123,15 @@ class InertialTerm {
     const Matrix3<Scalar> to_imu = calibration.arm.R_BI.matrix().transpose();
     const Vector3<Scalar>& l = calibration.arm.p_BI;
     Eigen::Matrix<Scalar, 6, 1> weight;
-    weight << Vector3<Scalar>::Constant(Scalar(1) / options_.gyro_standard_deviation),
-        Vector3<Scalar>::Constant(Scalar(1) / options_.accel_standard_deviation);
+    weight.template head<3>().setConstant(Scalar(1) / options_.gyro_standard_deviation);
+    weight.template tail<3>().setConstant(Scalar(1) / options_.accel_standard_deviation);
     for (const auto& sample : samples_) {
       const Time time = std::clamp(after(sample.time, calibration.time_offset), curve.start(), curve.end());
       const auto at = curve.template linearize<2>(time);
       const auto reading = calibrated_imu(at, calibration);
       Eigen::Matrix<Scalar, 6, 1> r;
-      r << reading.gyro - sample.gyro, reading.accel - sample.accel;
+      r.template head<3>() = reading.gyro - sample.gyro;
+      r.template tail<3>() = reading.accel - sample.accel;
       r = r.cwiseProduct(weight).eval();
       cost += r.squaredNorm();
 
