@@ -28,6 +28,7 @@
 #include <splinertia/imu/random_vibration.hpp>
 #include <splinertia/imu/random_walk.hpp>
 #include <splinertia/imu/rate_ramp.hpp>
+#include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/saturation.hpp>
 #include <splinertia/imu/scale_factor.hpp>
 #include <splinertia/imu/second_order_bandwidth.hpp>
@@ -48,6 +49,7 @@
 #include <splinertia/spline/interpolate.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/parameter_blocks.hpp>
+#include <splinertia/spline/sample.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/coning_sculling.hpp>
 #include <splinertia/strapdown/euler.hpp>

@@ -81,6 +81,15 @@ TEMPLATE_TEST_CASE("the coefficients keep full relative accuracy up to π", "[gr
   }
 }
 
+// What exp of a rotation takes, by a shorter way: cos(θ/2) in units of the unit circle, sin(θ/2)/(θ/2) in its own.
+TEMPLATE_TEST_CASE("sine and cosine of the half angle err by less than 2 ulp", "[group]", float, double) {
+  using Scalar = TestType;
+  const auto half = [](std::size_t n) { return [n](Scalar X) { return stumpff<1>(X).half[n]; }; };
+  const auto truth = [](int n) { return [n](Real X) { return series(n, X / 4); }; };
+  CHECK(worst_error<Scalar>(0, pi, half(0), truth(0), one) < 1.2);
+  CHECK(worst_error<Scalar>(0, pi, half(1), truth(1), truth(1)) < 1.2);
+}
+
 TEMPLATE_TEST_CASE("fewer coefficients are the same coefficients", "[group]", float, double, long double) {
   using Scalar = TestType;
   for (const Real angle : {0.0L, 1e-5L, 0.3L, 1.5L, 3.0L, 4.0L, 7.0L}) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <splinertia/io/atomic_file.hpp>
@@ -85,6 +87,37 @@ TEST_CASE("NaN and infinity are not written, nor half a file that had one") {
   const auto path = folder / "out.txt";
   CHECK(error_of<std::invalid_argument>([&] { AtomicFile(path).append_real(Limits::infinity()); }) ==
         path.string() + ": cannot write inf, expected a finite number");
+}
+
+TEST_CASE("callers may write into the buffer themselves") {
+  const test::TemporaryDirectory folder;
+  std::string expected;
+  AtomicFile file(folder / "out.txt");
+  for (const std::size_t size : {1u, 65'535u, 2u, 65'536u, 200'000u, 3u, 70'000u}) {
+    char* const room = file.room(size + 5);
+    std::fill(room, room + size, static_cast<char>('a' + expected.size() % 26));
+    expected.append(size, static_cast<char>('a' + expected.size() % 26));
+    file.advance(room + size);
+  }
+  file.append(expected);
+  expected += expected;
+  file.commit();
+  CHECK(content(folder / "out.txt") == expected);
+}
+
+TEST_CASE("the beginning may be written last") {
+  const test::TemporaryDirectory folder;
+  for (const std::size_t size : {10u, 1'000'000u}) {
+    const std::string text(size, 'x');
+    AtomicFile file(folder / "out.txt");
+    file.append("0000 rows\n");
+    file.append(text);
+    file.overwrite_begin("1234");
+    file.append("end");
+    file.commit();
+    CHECK(content(folder / "out.txt") == "1234 rows\n" + text + "end");
+    CHECK_THROWS_AS(file.overwrite_begin("5678"), std::runtime_error);
+  }
 }
 
 TEST_CASE("places that cannot be written are named") {

@@ -8,6 +8,7 @@
 #include <splinertia/io/number_text.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "support/catch.hpp"
 
@@ -71,6 +72,32 @@ TEST_CASE("what is no finite number has a problem") {
   }
   CHECK(problem_of("1e999") == "is out of the range of a double");
   CHECK(problem_of("-1e309") == "is out of the range of a double");
+}
+
+TEST_CASE("finite is seen in the bits") {
+  using Limits = std::numeric_limits<double>;
+  for (const double value : {0.0, -0.0, 1.0, Limits::max(), Limits::lowest(), Limits::denorm_min()}) {
+    CHECK(has_finite_bits(value));
+  }
+  for (const double value : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), -Limits::quiet_NaN()}) {
+    CHECK_FALSE(has_finite_bits(value));
+  }
+}
+
+TEST_CASE("a real number begins with a digit or point behind an optional minus sign") {
+  const auto begins = [](std::string_view text) { return begins_as_real(text.data(), text.data() + text.size()); };
+  for (const char* text : {"0", "9x", "-1", ".5", "-.5"}) CHECK(begins(text));
+  for (const char* text : {"", "-", "+1", "--1", "nan", "-inf", " 1", ",", "x"}) CHECK_FALSE(begins(text));
+}
+
+TEST_CASE("a real number ends at the next comma or blank") {
+  for (const std::string_view text : {"-1.5,2", "-1.5 2", "-1.5\t0x", "-1.5"}) {
+    double value = 0;
+    const auto [end, error] = real_from_chars(text.data(), text.data() + text.size(), value);
+    CHECK(error == std::errc{});
+    CHECK(end == text.data() + 4);
+    CHECK(value == -1.5);
+  }
 }
 
 TEST_CASE("integers are exact and strict") {

@@ -2,10 +2,14 @@
 // What every format owes to its table is checked once, here.
 #include <array>
 #include <chrono>
+#include <cstddef>
+#include <random>
 #include <splinertia/io/stamped_table.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/temporary_directory.hpp"
 #include "support/catch.hpp"
@@ -92,4 +96,78 @@ TEST_CASE("the first wrong thing is named with its line") {
         "1: \"1403715524907143168\" does not fit in 64-bit nanoseconds, expected t in column 1");
   CHECK(error_in("x 1 2 3\n", s) == "1: \"x\" is not a number of seconds, expected t in column 1");
   CHECK(error_in("1.5,1,2,3\n", s) == "1: \"1.5,1,2,3\" has commas, expected points with blanks: t x [m] y [m] z [m]");
+}
+
+TEST_CASE("a row is read alike wherever it stands") {
+  // The first row of a file is read field by field, later ones at once if they look as usual.
+  const test::TemporaryDirectory folder;
+  std::mt19937_64 random(1);
+  const auto one_of = [&](const auto& choices) { return choices[random() % choices.size()]; };
+  const std::vector<std::string> stamps{"5",
+                                        "7",
+                                        "007",
+                                        "-1",
+                                        "+5",
+                                        "5.5",
+                                        "0",
+                                        "",
+                                        "x",
+                                        "9223372036854775807",
+                                        "9223372036854775808",
+                                        "18446744073709551621",
+                                        "1e1",
+                                        "-",
+                                        "4"};
+  const std::vector<std::string> numbers{"1",   "-2.5", "+3",   ".5",    "5.", "1e3", "-1e-3", "0.1", "1e400", "nan",
+                                         "inf", "-inf", "0x10", "1,2",   "",   "-",   "--1",   "1-",  "+-1",   "1e",
+                                         "1 2", "#",    "1\r",  "1e+05", "-0", "007", "1;",    "-.",  ".",     "e5"};
+  const std::vector<std::string> separators{",", ",", ",", ",", " ", " ", " ", " ", "\t", ", ", " ,", "  ", ""};
+  int good = 0, bad = 0;
+  for (const TableLayout& layout : {nanosecond_points, second_points}) {
+    for (int i = 0; i < 4000; ++i) {
+      const bool plain = random() % 2 == 0;  // one separator, and numbers that are some
+      const std::string usual = random() % 2 == 0 ? "," : " ";
+      std::string row = random() % 8 == 0 ? " " : "";
+      row += one_of(stamps);
+      for (std::size_t column = 1; column < 4; ++column) {
+        row += plain ? usual : one_of(separators);
+        row += plain ? numbers[random() % 9] : one_of(numbers);
+      }
+      row += random() % 8 == 0 ? " \t" : "";
+      const auto read = [&](const std::string& text, int rows) {
+        StampedTable table(folder.write("points", text), layout);
+        std::pair<nanoseconds, std::vector<double>> result;
+        try {
+          for (bool more = true; rows > 0 && more; --rows) more = table.next();
+          result = {table.time(), {table[1], table[2], table[3]}};
+        } catch (const std::runtime_error& error) {
+          const std::string message = error.what();
+          return std::pair(result, message.substr(message.find(": ", message.find("points:"))));
+        }
+        return std::pair(result, std::string());
+      };
+      if (row.find_first_not_of(" \t") == std::string::npos || row.find('#') != std::string::npos) continue;
+      std::vector<std::string_view> fields;
+      const std::string ended = row.ends_with('\r') ? row.substr(0, row.size() - 1) : row;
+      split_fields(ended, fields);
+      if (fields.size() == 2) continue;  // good only as first row
+      const std::string before = layout.separator == ',' ? "-9,1,2,3\n" : "-9 1 2 3\n";
+      const auto first = read(row + "\n", 1), second = read(before + row + "\n", 2);
+      CAPTURE(row, layout.separator, first.second, second.second);
+      REQUIRE(first == second);
+      ++(first.second.empty() ? good : bad);
+    }
+  }
+  CHECK(good > 500);
+  CHECK(bad > 500);
+}
+
+TEST_CASE("the number of rows is guessed from the part that was read") {
+  const test::TemporaryDirectory folder;
+  StampedTable table(folder.write("points", "1,1,2,3\n2,1,2,3\n3,1,2,3\n4,1,2,3\n"), nanosecond_points);
+  CHECK(table.expected_rows(0) == 0);
+  for (std::size_t row = 1; row <= 4; ++row) {
+    REQUIRE(table.next());
+    CHECK(table.expected_rows(row) == 4);
+  }
 }

@@ -53,6 +53,39 @@ TEST_CASE("only lines of data count, with their numbers") {
   CHECK(lines(folder.write("empty", "")).empty());
 }
 
+TEST_CASE("lines may begin and end anywhere in the blocks that are read") {
+  const test::TemporaryDirectory folder;
+  constexpr std::size_t block = 1 << 16;
+  for (const std::size_t first : {block - 3, block - 2, block - 1, block, block + 1, 2 * block, 5 * block + 7}) {
+    const std::string a(first, 'a'), c(3 * block, 'c');
+    CHECK(lines(folder.write("unix", a + "\nb\n" + c)) == Lines{{1, a}, {2, "b"}, {3, c}});
+    CHECK(lines(folder.write("windows", a + "\r\nb\r\n\r\n" + c + "\r\n")) == Lines{{1, a}, {2, "b"}, {4, c}});
+    CHECK(lines(folder.write("one", a)) == Lines{{1, a}});
+    CHECK(lines(folder.write("marks", "\xEF\xBB\xBF#" + a + "\nb")) == Lines{{2, "b"}});
+  }
+  std::string text;
+  Lines expected;
+  for (std::size_t i = 1; i < 60'000; ++i) {
+    expected.emplace_back(i, std::string(1 + i * i % 13, static_cast<char>('a' + i % 26)));
+    text += expected.back().second + '\n';
+  }
+  CHECK((lines(folder.write("many", text)) == expected));
+}
+
+TEST_CASE("progress goes from 0 to 1") {
+  const test::TemporaryDirectory folder;
+  TextFile file(folder.write("data", "1234\n123456789\n12345"));
+  CHECK(file.progress() == 0);
+  REQUIRE(file.next());
+  CHECK(file.progress() == 0.25);
+  REQUIRE(file.next());
+  CHECK(file.progress() == 0.75);
+  REQUIRE(file.next());
+  CHECK_FALSE(file.next());
+  CHECK(file.progress() == 1);
+  CHECK(TextFile(folder.write("empty", "")).progress() == 0);
+}
+
 TEST_CASE("what cannot be opened is named") {
   const test::TemporaryDirectory folder;
   const auto missing = folder / "missing.txt";
@@ -75,5 +108,6 @@ TEST_CASE("a failure names file and line") {
 TEST_CASE("excerpts stay short and on one line") {
   CHECK(excerpt("1.5") == "\"1.5\"");
   CHECK(excerpt("a\rb\x1b[0m") == "\"a?b?[0m\"");
+  CHECK(excerpt(std::string(100, 'x'), 100) == "\"" + std::string(100, 'x') + "\"");
   CHECK(excerpt(std::string(100, 'x')) == "\"" + std::string(40, 'x') + "…\"");
 }

@@ -30,6 +30,7 @@ namespace splinertia {
 ///
 ///   static Tangent increment(const G& x, const G& y)                 log(x⁻¹ y), accurate for close x and y
 ///   static Tangent adjoint_inverse(const G& x, const Tangent& tau)   Ad_{x⁻¹} τ
+///   static G exp(const Scalar& lambda, const Tangent& tau)           exp(λ τ), 0 ≤ λ ≤ 1
 ///
 /// where its elements are kept in more numbers than Dof, so that they can drift away from the group,
 ///
@@ -107,6 +108,16 @@ template <LieGroup G>
     return GroupTraits<G>::increment(x, y);
   } else {
     return GroupTraits<G>::log(GroupTraits<G>::compose(GroupTraits<G>::inverse(x), y));
+  }
+}
+
+/// exp(λ τ) for 0 ≤ λ ≤ 1.
+template <LieGroup G>
+[[nodiscard]] G exp_of_fraction(const ScalarOf<G>& lambda, const Tangent<G>& tau) {
+  if constexpr (requires { GroupTraits<G>::exp(lambda, tau); }) {
+    return GroupTraits<G>::exp(lambda, tau);
+  } else {
+    return GroupTraits<G>::exp(lambda * tau);
   }
 }
 

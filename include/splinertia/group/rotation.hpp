@@ -21,6 +21,21 @@ template <typename Scalar>
   return {h[0], s * phi.x(), s * phi.y(), s * phi.z()};
 }
 
+/// a·b, summed from the first component on whatever the scalar is. (Eigen's order depends on its packets.)
+template <typename Scalar>
+[[nodiscard]] inline Scalar scalar_product(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+/// exp(λ φ). What does not depend on λ is apart, for a compiler to do it once for many λ.
+template <typename Scalar>
+[[nodiscard]] inline Eigen::Quaternion<Scalar> rotation_exp(const Scalar& lambda, const Vector3<Scalar>& phi) {
+  const Scalar theta2 = scalar_product<Scalar>(phi, phi);
+  const auto h = stumpff<1>(Scalar(lambda * lambda * theta2)).half;
+  const Scalar s = h[1] * (lambda / Constant<Scalar>(2));
+  return {h[0], s * phi.x(), s * phi.y(), s * phi.z()};
+}
+
 /// The rotation vector, |φ| ≤ π, of the quaternion (v, w) with w ≥ 0, of any length: φ = v 2 atan2(|v|, w)/|v|.
 /// At w = 0 (a rotation by π) the sign of v is kept.
 template <typename Scalar>

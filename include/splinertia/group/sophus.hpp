@@ -95,6 +95,9 @@ struct GroupTraits<Sophus::SO3<Real>> {
   }
   static G inverse(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().conjugate()); }
   static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(tau)); }
+  static G exp(const Real& lambda, const Vector& tau) {
+    return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(lambda, tau));
+  }
   static Vector log(const G& x) { return rotation_log<Real>(x.unit_quaternion()); }
   static Vector adjoint(const G& x, const Vector& tau) { return rotate<Real>(x.unit_quaternion(), tau); }
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
@@ -200,6 +203,10 @@ struct GroupTraits<Sophus::SE3<Real>> {
   }
   static G exp(const Vector& tau) {
     const auto x = rigid_motion_exp<Real>(tau.template head<3>(), tau.template tail<3>());
+    return make(x.rotation, x.translation);
+  }
+  static G exp(const Real& lambda, const Vector& tau) {
+    const auto x = rigid_motion_exp<Real>(lambda, tau.template head<3>(), tau.template tail<3>());
     return make(x.rotation, x.translation);
   }
   static Vector log(const G& x) { return logarithm(x.translation(), rotation_log<Real>(x.unit_quaternion())); }

@@ -22,6 +22,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/group/economized_series.hpp>
+#include <splinertia/lanes.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -44,7 +46,10 @@ struct StumpffValues {
   std::array<Scalar, N + 1> half;
 };
 
-/// The number of terms of the polynomial for c_n, so that at θ/2 = π/2 the first one left out is below eps/2:
+/// The half angle that the polynomials reach to, squared: just above (π/2)².
+inline constexpr long double stumpff_reach = 2.4675L;
+
+/// The number of terms of the Taylor polynomial for c_n, so that the first one left out is below eps/2:
 /// x^terms n!/(2 terms + n)! < 2^−digits with x = (π/2)².
 [[nodiscard]] constexpr int stumpff_terms(int n, int digits) {
   long double remainder = 1;
@@ -52,42 +57,59 @@ struct StumpffValues {
   for (int i = 0; i < digits; ++i) goal /= 2;
   int terms = 0;
   while (remainder >= goal) {
-    remainder *= 2.4675L / static_cast<long double>((2 * terms + n + 1) * (2 * terms + n + 2));
+    remainder *= stumpff_reach / static_cast<long double>((2 * terms + n + 1) * (2 * terms + n + 2));
     ++terms;
   }
   return terms;
 }
 
-/// 1/(2m + n)! for m = 0 … Terms − 1.
+/// Taylor's coefficients of c_n, (−1)^m/(2m + n)! for m = 0 … Terms − 1.
 template <typename Real, int Terms>
-[[nodiscard]] constexpr std::array<Real, Terms> reciprocal_factorials(int n) {
+[[nodiscard]] constexpr std::array<Real, Terms> taylor_series(int n) {
   std::array<Real, Terms> table{};
   Real factorial = Real(1);
   for (int i = 2; i <= n; ++i) factorial *= Real(i);
   for (int m = 0; m < Terms; ++m) {
     table[static_cast<std::size_t>(m)] = Real(1) / factorial;
     factorial *= Real(2 * m + n + 1);
-    factorial *= Real(2 * m + n + 2);
+    factorial *= -Real(2 * m + n + 2);
   }
   return table;
 }
 
-/// c_n(x) by its series, for 0 ≤ x ≤ (π/2)².
+/// Σ_m a[m] x^m, even and odd powers apart: two chains of half the length, which a processor computes side by side.
+/// Neither is longer than the other by more than a term, and for Σ a[m] x^m with terms of falling size neither cancels.
+template <typename Scalar, typename Real, std::size_t Terms>
+[[nodiscard]] inline Scalar polynomial(const std::array<Real, Terms>& a, const Scalar& x) {
+  static_assert(Terms >= 2);
+  const Scalar y = x * x;
+  const auto every_other = [&]<std::size_t... I>(std::size_t highest, std::index_sequence<I...>) {
+    Scalar sum(a[highest]);
+    ((sum = sum * y + a[highest - 2 * (I + 1)]), ...);
+    return sum;
+  };
+  constexpr std::size_t even = (Terms - 1) / 2, odd = (Terms - 2) / 2;
+  return every_other(2 * odd + 1, std::make_index_sequence<odd>{}) * x +
+         every_other(2 * even, std::make_index_sequence<even>{});
+}
+
+/// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types, alone or in lanes, take the economized series, which is a term or
+/// two shorter: it is within eps/8 of c_n(0). Its derivatives are not quite so good, so that automatic differentiation
+/// takes Taylor's, as do types of more digits than long double.
 template <int n, typename Scalar>
 [[nodiscard]] inline Scalar stumpff_series(const Scalar& x) {
   using Real = Constant<Scalar>;
-  constexpr int terms = stumpff_terms(n, std::numeric_limits<Scalar>::digits);
-  const auto horner = [&]<std::size_t... I>(const auto& a, std::index_sequence<I...>) {
-    Scalar sum(a[terms - 1]);
-    ((sum = a[terms - 2 - I] - x * sum), ...);
-    return sum;
-  };
-  if constexpr (std::is_floating_point_v<Real>) {
-    constexpr auto a = reciprocal_factorials<Real, terms>(n);
-    return horner(a, std::make_index_sequence<terms - 1>{});
+  constexpr int digits = std::numeric_limits<Scalar>::digits;
+  if constexpr (std::is_floating_point_v<Scalar> || is_lanes<Scalar>) {
+    constexpr int terms = economized_terms(n, stumpff_reach, std::numeric_limits<Real>::epsilon() / Real(8));
+    constexpr auto a = economized_series<Real, terms>(n, stumpff_reach);
+    return polynomial(a, x);
+  } else if constexpr (std::is_floating_point_v<Real>) {
+    constexpr auto a = taylor_series<Real, stumpff_terms(n, digits)>(n);
+    return polynomial(a, x);
   } else {
-    static const auto a = reciprocal_factorials<Real, terms>(n);
-    return horner(a, std::make_index_sequence<terms - 1>{});
+    static const auto a = taylor_series<Real, stumpff_terms(n, digits)>(n);
+    return polynomial(a, x);
   }
 }
 
@@ -96,7 +118,7 @@ template <int N, typename Scalar>
 [[nodiscard]] inline std::array<Scalar, N + 1> stumpff_small(const Scalar& x) {
   static_assert(N % 2 == 1 && N <= 7, "the recursion descends in steps of two");
   // From higher members than asked for, each needs fewer terms, and the low ones are as accurate as they can be.
-  constexpr int top = N < 5 ? 5 : N;
+  constexpr int top = N == 1 ? 3 : N < 5 ? 5 : N;
   constexpr std::array<int, 6> factorial{1, 1, 2, 6, 24, 120};
   std::array<Scalar, top + 1> h;
   h[top] = stumpff_series<top>(x);
@@ -151,7 +173,7 @@ template <int N, typename Scalar>
 [[nodiscard]] inline StumpffValues<Scalar, N> stumpff(const Scalar& X) {
   using Real = Constant<Scalar>;
   const Scalar x = X / Real(4);
-  const Real small = Real(24675) / Real(10000);  // just above (π/2)²
+  const Real small = static_cast<Real>(stumpff_reach);
   StumpffValues<Scalar, N> values;
   if (x <= small) {
     values.half = stumpff_small<N>(x);
@@ -163,6 +185,16 @@ template <int N, typename Scalar>
     values.half = stumpff_large<N>(x);
     values.full = stumpff_large<N>(X);
   }
+  return values;
+}
+
+/// The same in lanes, for X ≤ π² only: no lane branches.
+template <int N, typename T, int Size, int Bytes>
+[[nodiscard]] inline StumpffValues<Lanes<T, Size, Bytes>, N> stumpff(const Lanes<T, Size, Bytes>& X) {
+  using L = Lanes<T, Size, Bytes>;
+  StumpffValues<L, N> values;
+  values.half = stumpff_small<N>(L(X / T(4)));
+  values.full = stumpff_doubled(values.half);
   return values;
 }
 

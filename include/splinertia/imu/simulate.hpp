@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <splinertia/flatten.hpp>
+#include <splinertia/imu/ideal_block.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/imu.hpp>
 #include <splinertia/imu/imu_errors.hpp>
@@ -100,14 +102,33 @@ class Simulation {
     [[gnu::always_inline]] void sample() {
       const Simulation& s = *simulation_;
       for (; index_ < size_; ++index_) {
-        const Time time = s.time(index_);
-        const auto ideal =
-            flattened<Scalar>([&s, time] { return ideal_imu(s.motion_.template evaluate<2>(time), s.gravity_); });
-        if (errors_.apply(time, ideal, interval_, reading_)) return;
+        if constexpr (LaneCurve<Trajectory>) {
+          if (!ahead_.holds(index_)) {
+            ahead_.fill(s.motion_, s.gravity_, s.rate_, index_, std::min(size_ - index_, ahead_.capacity),
+                        [&s](std::size_t i) { return s.time(i); });
+          }
+          if (errors_.apply(ahead_.time(index_), ahead_[index_], interval_, reading_)) return;
+        } else {
+          const Time time = s.time(index_);
+          const auto ideal =
+              flattened<Scalar>([&s, time] { return ideal_imu(s.motion_.template evaluate<2>(time), s.gravity_); });
+          if (errors_.apply(time, ideal, interval_, reading_)) return;
+        }
       }
     }
 
+    struct Nothing {};
+    template <typename C>
+    struct Ahead {
+      using type = Nothing;
+    };
+    template <LaneCurve C>
+    struct Ahead<C> {
+      using type = IdealImuBlock<C>;
+    };
+
     const Simulation* simulation_;
+    [[no_unique_address]] typename Ahead<Trajectory>::type ahead_;
     std::size_t size_;
     std::size_t index_ = 0;
     Scalar interval_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Writing a text file that is there complete or not at all.
+/// Writing a file that is there complete or not at all.
 #pragma once
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
@@ -67,30 +66,44 @@ class AtomicFile {
   void append(std::string_view text) {
     while (!text.empty()) {
       reserve(1);
-      const std::size_t room = static_cast<std::size_t>(buffer_.get() + capacity - end_);
-      end_ += text.copy(end_, room);
-      text.remove_prefix(std::min(room, text.size()));
+      const std::size_t copied = text.copy(end_, static_cast<std::size_t>(buffer_.get() + capacity_ - end_));
+      end_ += copied;
+      text.remove_prefix(copied);
     }
   }
-  void append_integer(std::int64_t value) {
-    reserve(number_text_size);
-    end_ = integer_to_chars(end_, value);
-  }
+  void append_integer(std::int64_t value) { advance(integer_to_chars(room(number_text_size), value)); }
   /// Throws std::invalid_argument for NaN and infinity, which no reader would take.
   void append_real(double value) {
-    reserve(number_text_size);
-    char* const end = real_to_chars(end_, value);
-    if (end_[*end_ == '-' ? 1 : 0] > '9') {  // the text, because -ffast-math does not know of NaN
-      const std::string text(end_, end);
-      abandon();
-      throw std::invalid_argument(message(target_.string(), ": cannot write ", text, ", expected a finite number"));
-    }
-    end_ = end;
+    if (!has_finite_bits(value)) refuse(value);
+    advance(real_to_chars(room(number_text_size), value));
   }
   /// Seconds with nine decimals, exactly.
-  void append_seconds(std::chrono::nanoseconds time) {
-    reserve(number_text_size);
-    end_ = seconds_to_chars(end_, time);
+  void append_seconds(std::chrono::nanoseconds time) { advance(seconds_to_chars(room(number_text_size), time)); }
+
+  /// Room for `size` characters at the end of the file, to be written by the caller, who then says with advance() where
+  /// they end. Valid until the next call of any other member.
+  [[nodiscard]] char* room(std::size_t size) {
+    reserve(size);
+    return end_;
+  }
+  void advance(char* end) { end_ = end; }
+
+  /// Gives up and throws what append_real throws for a number that is not finite.
+  [[noreturn]] void refuse(double value) {
+    char text[number_text_size];
+    const std::string_view name(text, static_cast<std::size_t>(real_to_chars(text, value) - text));
+    abandon();
+    throw std::invalid_argument(message(target_.string(), ": cannot write ", name, ", expected a finite number"));
+  }
+
+  /// Replaces the beginning of the file, at least as long, by a text of its size.
+  void overwrite_begin(std::string_view text) {
+    flush();
+    errno = 0;
+    if (std::fseek(file_, 0, SEEK_SET) != 0 || std::fwrite(text.data(), 1, text.size(), file_) != text.size() ||
+        std::fseek(file_, 0, SEEK_END) != 0) {
+      fail("cannot write");
+    }
   }
 
   /// Writes what is buffered and puts the file in the target's place. Nothing can be appended afterwards.
@@ -116,10 +129,13 @@ class AtomicFile {
   [[nodiscard]] const std::filesystem::path& path() const { return target_; }
 
  private:
-  static constexpr std::size_t capacity = 1 << 16;
-
   void reserve(std::size_t size) {
-    if (static_cast<std::size_t>(buffer_.get() + capacity - end_) < size) flush();
+    if (static_cast<std::size_t>(buffer_.get() + capacity_ - end_) >= size) return;
+    flush();
+    if (capacity_ >= size) return;
+    buffer_.reset(new char[size]);
+    end_ = buffer_.get();
+    capacity_ = size;
   }
   void flush() {
     if (!file_) throw std::runtime_error(message(target_.string(), ": was committed or abandoned before"));
@@ -135,7 +151,8 @@ class AtomicFile {
 
   std::filesystem::path target_, temporary_;
   std::FILE* file_ = nullptr;
-  std::unique_ptr<char[]> buffer_{new char[capacity]};
+  std::size_t capacity_ = 1 << 16;
+  std::unique_ptr<char[]> buffer_{new char[capacity_]};
   char* end_ = buffer_.get();
 };
 

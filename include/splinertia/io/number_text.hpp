@@ -2,8 +2,10 @@
 /// Numbers and their decimal text, both ways, whatever the locale says. Strict: a text is the number and nothing else.
 #pragma once
 
+#include <bit>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <system_error>
 #include <version>
@@ -15,7 +17,7 @@
 #if defined(__APPLE__)
 #include <xlocale.h>
 #endif
-#include <limits>
+#include <algorithm>
 #include <string>
 #endif
 
@@ -31,6 +33,13 @@ struct Parsed {
 /// Room that real_to_chars and integer_to_chars need.
 inline constexpr int number_text_size = 32;
 
+/// Neither infinite nor NaN, seen in the bits of the exponent, since -ffast-math does not know of NaN.
+[[nodiscard]] inline bool has_finite_bits(double value) {
+  static_assert(sizeof(double) == 8 && std::numeric_limits<double>::digits == 53);
+  constexpr std::uint64_t exponent = std::uint64_t{0x7FF} << 52;
+  return (std::bit_cast<std::uint64_t>(value) & exponent) != exponent;
+}
+
 #if !defined(__cpp_lib_to_chars)
 /// The "C" locale, where the decimal point is a point.
 [[nodiscard]] inline ::locale_t c_locale() {
@@ -38,8 +47,10 @@ inline constexpr int number_text_size = 32;
   return locale;
 }
 
-/// Stands in for std::from_chars, for texts that begin with a digit or point behind an optional minus sign.
+/// Stands in for std::from_chars, for texts that begin with a digit or point behind an optional minus sign. Looks no
+/// further than the next blank or comma.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
+  last = std::find_if(first, last, [](char c) { return c == ',' || c == ' ' || c == '\t'; });
   const std::string text(first, last);  // strtod wants a terminating zero
   if (text.find_first_of("xX") != std::string::npos) return {first, std::errc::invalid_argument};
   char* end = nullptr;
@@ -72,6 +83,12 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   return std::to_chars(first, first + number_text_size, value).ptr;
 }
 
+/// Whether a text begins as real_from_chars wants it: with a digit or point behind an optional minus sign.
+[[nodiscard]] inline bool begins_as_real(const char* first, const char* last) {
+  if (first != last && *first == '-') ++first;
+  return first != last && ((*first >= '0' && *first <= '9') || *first == '.');
+}
+
 /// Reads a finite decimal number: digits with an optional sign, point and exponent. Everything else is a problem: NaN,
 /// infinity, hexadecimal, overflow, anything before or after the number.
 [[nodiscard]] inline Parsed<double> parse_real(std::string_view text) {
@@ -81,9 +98,9 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   if (digits.starts_with('n') || digits.starts_with('N') || digits.starts_with('i') || digits.starts_with('I')) {
     return {0, "is not a finite number"};
   }
-  const bool begins_well = !digits.empty() && ((digits[0] >= '0' && digits[0] <= '9') || digits[0] == '.');
   Parsed<double> number;
   const char* const last = text.data() + text.size();
+  const bool begins_well = begins_as_real(text.data(), last) && !(plus && text.starts_with('-'));
   const auto [end, error] = begins_well ? real_from_chars(text.data(), last, number.value)
                                         : std::from_chars_result{text.data(), std::errc::invalid_argument};
   if (error == std::errc::invalid_argument || end != last) {

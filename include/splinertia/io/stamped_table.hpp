@@ -3,9 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <splinertia/io/number_text.hpp>
@@ -15,6 +18,7 @@
 #include <splinertia/message.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -36,6 +40,7 @@ class StampedTable {
       if (!time_) file_.fail("no rows, expected ", layout_.format, ": ", layout_.names());
       return false;
     }
+    if (read_plain_row()) return true;
     split_fields(file_.line(), fields_);
     check_columns();
     check_time();
@@ -63,7 +68,54 @@ class StampedTable {
     file_.fail(what...);
   }
 
+  /// How many rows the file seems to have, judged by the part that was read; 0 if its size is not known.
+  [[nodiscard]] std::size_t expected_rows(std::size_t rows_so_far) const {
+    const double progress = file_.progress();
+    return progress > 0 ? static_cast<std::size_t>(static_cast<double>(rows_so_far) / progress) : 0;
+  }
+
  private:
+  /// Reads a row in one go if it looks as writers make it: as many columns as the rows before, one character between
+  /// them and no other blanks. Whatever differs, good or bad, is left to be read field by field: returns false.
+  [[nodiscard]] bool read_plain_row() {
+    if (!time_) return false;
+    const char* at = file_.line().data();
+    const char* const end = at + file_.line().size();
+    std::chrono::nanoseconds time{};
+    const std::string_view stamp = read_plain_stamp(at, end, time);
+    if (stamp.empty() || time <= *time_) return false;
+    const char separator = at != end ? *at : layout_.separator;
+    if (separator != layout_.separator && separator != ' ') return false;
+    for (std::size_t i = 1; i < values_.size(); ++i) {
+      if (at == end || *at != separator || !begins_as_real(++at, end)) return false;
+      const auto [behind, error] = real_from_chars(at, end, values_[i]);
+      if (error != std::errc{}) return false;
+      at = behind;
+    }
+    if (at != end) return false;
+    time_ = time;
+    stamp_ = stamp;
+    return true;
+  }
+
+  /// Reads the time at the beginning of a row and moves `at` behind it; "" if that is none.
+  [[nodiscard]] std::string_view read_plain_stamp(const char*& at, const char* end, std::chrono::nanoseconds& time) {
+    const char* const begin = at;
+    if (layout_.stamp == TableLayout::Stamp::nanoseconds) {
+      std::int64_t count = 0;
+      const auto [behind, error] = std::from_chars(begin, end, count);
+      if (error != std::errc{}) return {};
+      at = behind;
+      time = std::chrono::nanoseconds{count};
+    } else {
+      while (at != end && *at != ',' && *at != ' ' && *at != '\t') ++at;
+      const auto parsed = parse_seconds({begin, static_cast<std::size_t>(at - begin)});
+      if (parsed.problem) return {};
+      time = parsed.value;
+    }
+    return {begin, static_cast<std::size_t>(at - begin)};
+  }
+
   template <typename T>
   [[nodiscard]] T value_of(const Parsed<T>& parsed, std::size_t i) const {
     if (parsed.problem) {
@@ -113,7 +165,13 @@ template <typename Parse>
 [[nodiscard]] auto read_stamped_table(const std::filesystem::path& path, const TableLayout& layout, Parse parse) {
   std::vector<decltype(parse(std::declval<const StampedTable&>()))> rows;
   StampedTable table(path, layout);
-  while (table.next()) rows.push_back(parse(std::as_const(table)));
+  while (table.next()) {
+    if (rows.size() == rows.capacity() && rows.size() >= 256) {  // enough of them for a guess of the rest
+      const std::size_t expected = table.expected_rows(rows.size());
+      rows.reserve(std::max(expected + expected / 64, 2 * rows.size()));
+    }
+    rows.push_back(parse(std::as_const(table)));
+  }
   return rows;
 }
 

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/number_text.hpp>
+#include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
@@ -36,13 +38,12 @@ class StampedTableWriter {
                                           time_->count(), " ns, expected increasing times"));
     }
     time_ = time;
-    if (layout_.stamp == TableLayout::Stamp::seconds) {
-      file_.append_seconds(time);
-    } else {
-      file_.append_integer(time.count());
-    }
-    (append_values(values), ...);
-    file_.append('\n');
+    char* end = file_.room(static_cast<std::size_t>((1 + ... + values.size())) * (number_text_size + 1));
+    end = layout_.stamp == TableLayout::Stamp::seconds ? seconds_to_chars(end, time)
+                                                       : integer_to_chars(end, time.count());
+    ((end = write_values(end, values)), ...);
+    *end++ = '\n';
+    file_.advance(end);
   }
 
   /// Completes the file.
@@ -52,11 +53,14 @@ class StampedTableWriter {
   }
 
  private:
-  void append_values(const auto& values) {
+  [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-      file_.append(layout_.separator);
-      file_.append_real(values[i]);
+      const double value = values[i];
+      if (!has_finite_bits(value)) file_.refuse(value);
+      *to++ = layout_.separator;
+      to = real_to_chars(to, value);
     }
+    return to;
   }
 
   AtomicFile file_;

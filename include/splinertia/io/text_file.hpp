@@ -3,15 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <splinertia/io/input_file.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace splinertia {
@@ -41,8 +42,7 @@ inline void split_fields(std::string_view line, std::vector<std::string_view>& f
 }
 
 /// A piece of a file as it may stand in a message: in quotation marks, on one line, not long.
-[[nodiscard]] inline std::string excerpt(std::string_view text) {
-  constexpr std::size_t longest = 40;
+[[nodiscard]] inline std::string excerpt(std::string_view text, std::size_t longest = 40) {
   std::string result = "\"";
   for (const char c : text.substr(0, longest)) result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
   return result += text.size() > longest ? "…\"" : "\"";
@@ -53,27 +53,23 @@ inline void split_fields(std::string_view line, std::vector<std::string_view>& f
 ///
 ///   TextFile file(path);
 ///   while (file.next()) parse(file.line());
+///
+/// Reads by blocks, so that a pipe gives its lines when it is closed or a block is full. Memory: a block, or twice the
+/// longest line.
 class TextFile {
  public:
   /// Opens the file. Throws std::runtime_error if it is missing, unreadable or a directory.
-  explicit TextFile(const std::filesystem::path& path) : path_(path.string()) {
-    if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) fail("is a directory, expected a file");
-    errno = 0;
-    stream_.open(path, std::ios::binary);
-    if (!stream_) fail("cannot open: ", std::generic_category().message(errno));
-  }
+  explicit TextFile(const std::filesystem::path& path) : file_(path) {}
 
   /// Goes to the next line of data; false at the end of the file. Throws std::runtime_error if the file cannot be read
   /// on.
   [[nodiscard]] bool next() {
-    while (std::getline(stream_, buffer_)) {
-      line_ = buffer_;
+    while (next_line()) {
       if (++number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
       if (line_.ends_with('\r')) line_.remove_suffix(1);
       line_ = trim(line_);
       if (!line_.empty() && line_.front() != '#') return true;
     }
-    if (stream_.bad()) fail("cannot read on after this line");
     return false;
   }
 
@@ -83,16 +79,66 @@ class TextFile {
   /// Its number in the file, from 1.
   [[nodiscard]] std::size_t line_number() const { return number_; }
 
+  /// How much of the file is behind, 0 to 1, for progress bars and guesses of its length; 0 if its size is not known (a
+  /// pipe).
+  [[nodiscard]] double progress() const {
+    const std::uintmax_t behind = read_ - static_cast<std::uintmax_t>(end_ - begin_);
+    if (file_.size() == 0) return 0;
+    return std::min(1.0, static_cast<double>(behind) / static_cast<double>(file_.size()));
+  }
+
   /// Throws std::runtime_error "path:line: …" with the parts joined; without the line before the first.
   template <typename... Parts>
   [[noreturn]] void fail(const Parts&... what) const {
-    throw std::runtime_error(number_ == 0 ? message(path_, ": ", what...)
-                                          : message(path_, ':', number_, ": ", what...));
+    throw std::runtime_error(number_ == 0 ? message(file_.path(), ": ", what...)
+                                          : message(file_.path(), ':', number_, ": ", what...));
   }
 
  private:
-  std::string path_, buffer_;
-  std::ifstream stream_;
+  /// Goes to the next line, without its end; what stands behind the last '\n' is a line unless it is empty.
+  [[nodiscard]] bool next_line() {
+    for (std::size_t searched = 0;;) {
+      const auto left = static_cast<std::size_t>(end_ - begin_);
+      if (left > searched) {
+        if (const void* found = std::memchr(begin_ + searched, '\n', left - searched)) {
+          const char* const newline = static_cast<const char*>(found);
+          line_ = {begin_, static_cast<std::size_t>(newline - begin_)};
+          begin_ = newline + 1;
+          return true;
+        }
+      }
+      searched = left;
+      if (!read_on()) break;
+    }
+    line_ = {begin_, static_cast<std::size_t>(end_ - begin_)};
+    begin_ = end_;
+    return !line_.empty();
+  }
+
+  /// Appends what comes next in the file to the piece of a line that is left in the buffer; false at the end.
+  [[nodiscard]] bool read_on() {
+    const auto left = static_cast<std::size_t>(end_ - begin_);
+    if (2 * left > buffer_.size() || buffer_.empty()) {
+      std::vector<char> larger(std::max(block, 2 * buffer_.size()));
+      std::copy(begin_, end_, larger.begin());
+      buffer_ = std::move(larger);
+    } else {
+      std::copy(begin_, end_, buffer_.begin());  // to the left
+    }
+    const std::size_t added = file_.read(buffer_.data() + left, buffer_.size() - left);
+    begin_ = buffer_.data();
+    end_ = begin_ + left + added;
+    read_ += added;
+    if (file_.failed()) fail("cannot read on after this line");
+    return added > 0;
+  }
+
+  static constexpr std::size_t block = 1 << 16;
+
+  InputFile file_;
+  std::uintmax_t read_ = 0;  // bytes so far
+  std::vector<char> buffer_;
+  const char *begin_ = nullptr, *end_ = nullptr;  // what of the buffer is still to come
   std::string_view line_;
   std::size_t number_ = 0;
 };

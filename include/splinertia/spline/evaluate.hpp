@@ -18,6 +18,7 @@
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace splinertia {
 
@@ -51,12 +52,13 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
     if constexpr (D >= 3) m.jerk = sum(lambda[3]);
   } else {
     // Sums over the factors behind the current one, all seen from the end of the chain.
-    G P = Traits::exp(lambda[0][last] * d(last));
+    G P = exp_of_fraction<G>(lambda[0][last], d(last));
     if constexpr (D >= 1) m.velocity = lambda[1][last] * d(last);
     if constexpr (D >= 2) m.acceleration = lambda[2][last] * d(last);
     if constexpr (D >= 3) m.jerk = lambda[3][last] * d(last);
     observe(last, P, m);
-    for (std::size_t j = last; j-- > 0;) {
+    // Unrolled: a compiler that leaves the loop keeps its sums in memory, and those that nobody reads alive.
+    const auto factor = [&](std::size_t j) {
       if constexpr (D >= 1) {
         const Tangent<G> seen = adjoint_inverse<G>(P, d(j));
         if constexpr (D >= 2) {
@@ -69,9 +71,10 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
         }
         m.velocity += lambda[1][j] * seen;
       }
-      P = Traits::compose(Traits::exp(lambda[0][j] * d(j)), P);
+      P = Traits::compose(exp_of_fraction<G>(lambda[0][j], d(j)), P);
       observe(j, P, m);
-    }
+    };
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (factor(last - 1 - I), ...); }(std::make_index_sequence<last>{});
     m.value = Traits::compose(first, P);
   }
   return m;

@@ -49,26 +49,25 @@ template <typename Real, TimePoint Time>
   }
 }
 
-/// The basis at t from the knots τ_{i−k+2} … τ_{i+k−1} (k: Order) around its span τ_i <= t <= τ_{i+1}, which is not
-/// empty, in ascending order. The largest error found is 4 eps for the cubic and 6 eps for order 8: of 1 for values, of
-/// the largest for first derivatives, of the largest sum of its terms for the second and third, which are differences.
-template <int Order, int D, typename Scalar, TimePoint Time>
+/// The basis from the knots τ_{i−k+2} … τ_{i+k−1} (k: Order) around the span τ_i < τ_{i+1}, in ascending order, and the
+/// times from the k − 1 knots on the left to t, `before`, and from t to those on the right, `behind`, in the units of
+/// units_between(): each a number, or Lanes of them for several t in the span. The largest error found is 4 eps for the
+/// cubic and 6 eps for order 8: of 1 for values, of the largest for first derivatives, of the largest sum of its terms
+/// for the second and third, which are differences.
+template <int Order, int D, typename Scalar, typename U, TimePoint Time>
 [[nodiscard]] inline CumulativeBasis<Scalar, Order, D> nonuniform_basis(
-    std::span<const Time, static_cast<std::size_t>(2 * Order - 2)> knots, Time t) {
+    std::span<const Time, static_cast<std::size_t>(2 * Order - 2)> knots,
+    const std::array<U, static_cast<std::size_t>(Order - 1)>& before,
+    const std::array<U, static_cast<std::size_t>(Order - 1)>& behind) {
   using Real = Constant<Scalar>;
   constexpr std::size_t k = Order;
   assert(knots[k - 2] < knots[k - 1]);
   const Real rate = units_per_second<Real, Time>();
-  std::array<Real, k - 1> before, behind;  // from each knot on the left to t, from t to each on the right
-  for (std::size_t s = 0; s < k - 1; ++s) {
-    before[s] = units_between<Real>(knots[s], t);
-    behind[s] = units_between<Real>(t, knots[k - 1 + s]);
-  }
 
   // Of order m, those of the m functions that are not zero on the span: B_{i−m+1+p,m}, p = 0 … m − 1, and derivative d
   // of its Q in q[d][p]. Each order takes the place of the one below.
-  std::array<Real, k> B{Real(1)};
-  std::array<std::array<Real, k - 1>, (D > 1 ? D : 1)> q{};
+  std::array<U, k> B{U(Real(1))};
+  std::array<std::array<U, k - 1>, (D > 1 ? D : 1)> q{};
   const auto order = [&]<std::size_t m>() {
     std::array<Real, m> width;
     for (std::size_t p = 0; p < m; ++p) {
@@ -78,8 +77,8 @@ template <int Order, int D, typename Scalar, TimePoint Time>
     for (std::size_t d = D; d-- > 1;) {
       if (d >= m || d + (k - 1 - m) >= static_cast<std::size_t>(D)) continue;  // zero, or of no use above
       for (std::size_t p = 0; p < m; ++p) {
-        const Real left = p > 0 ? q[d - 1][p - 1] : Real(0);
-        const Real right = p + 1 < m ? q[d - 1][p] : Real(0);
+        const U left = p > 0 ? q[d - 1][p - 1] : U(Real(0));
+        const U right = p + 1 < m ? q[d - 1][p] : U(Real(0));
         q[d][p] = factor * (left - right) / width[p];
       }
     }
@@ -93,13 +92,27 @@ template <int Order, int D, typename Scalar, TimePoint Time>
   }(std::make_index_sequence<k - 1>{});
 
   CumulativeBasis<Scalar, Order, D> basis;
-  Real sum(0);
+  U sum(Real(0));
   for (std::size_t j = k - 1; j-- > 0;) basis.lambda[0][j] = static_cast<Scalar>(sum += B[j + 1]);
   const Real factor = static_cast<Real>(Order - 1) * rate;
   for (std::size_t d = 1; d <= static_cast<std::size_t>(D); ++d) {
     for (std::size_t j = 0; j < k - 1; ++j) basis.lambda[d][j] = static_cast<Scalar>(factor * q[d - 1][j]);
   }
   return basis;
+}
+
+/// The basis at t from the knots around its span τ_i <= t <= τ_{i+1}, which is not empty.
+template <int Order, int D, typename Scalar, TimePoint Time>
+[[nodiscard]] inline CumulativeBasis<Scalar, Order, D> nonuniform_basis(
+    std::span<const Time, static_cast<std::size_t>(2 * Order - 2)> knots, Time t) {
+  using Real = Constant<Scalar>;
+  constexpr std::size_t k = Order;
+  std::array<Real, k - 1> before, behind;
+  for (std::size_t s = 0; s < k - 1; ++s) {
+    before[s] = units_between<Real>(knots[s], t);
+    behind[s] = units_between<Real>(t, knots[k - 1 + s]);
+  }
+  return nonuniform_basis<Order, D, Scalar>(knots, before, behind);
 }
 
 }  // namespace splinertia

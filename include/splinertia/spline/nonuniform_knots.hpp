@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <span>
 #include <splinertia/finite.hpp>
+#include <splinertia/lanes.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/spline/nonuniform_basis.hpp>
@@ -84,19 +86,65 @@ struct NonUniformKnots {
     return after(knots[i + 1], sum / (order - 1));
   }
 
-  /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
-  template <typename Scalar, int Order, int D>
-  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
-    constexpr std::size_t k = Order;
+  /// The span that t falls in: a knot belongs to the one that it begins, the end to the last that is not empty.
+  /// Requires t in the domain (asserted). Takes a time logarithmic in the number of knots.
+  [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
+    const auto k = static_cast<std::size_t>(order);
     assert(knots.size() == control_points + k);
     const Time* const begin = knots.data() + k;
     const Time* const end = knots.data() + control_points;
     assert(t >= begin[-1] && t <= *end);
     // The first knot behind t; at the end, where there is none, the first that is there.
     const Time* const next = t < *end ? std::upper_bound(begin, end, t) : std::lower_bound(begin, end, *end);
-    const std::span<const Time, 2 * k - 2> around(next - (k - 1), 2 * k - 2);
-    return {static_cast<std::size_t>(next - begin), nonuniform_basis<Order, D, Scalar>(around, t)};
+    return static_cast<std::size_t>(next - begin);
   }
+
+  /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
+  template <typename Scalar, int Order, int D>
+  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
+    const std::size_t s = segment(t, control_points, Order);
+    const std::span<const Time, 2 * static_cast<std::size_t>(Order) - 2> around(
+        knots.data() + s + 1, 2 * static_cast<std::size_t>(Order) - 2);
+    return {s, nonuniform_basis<Order, D, Scalar>(around, t)};
+  }
+
+  /// Span s of a curve, prepared for many times in it.
+  template <int Order>
+  class Segment {
+    static constexpr std::size_t k = Order;
+
+   public:
+    Segment(const NonUniformKnots& knots, std::size_t s) {
+      std::copy_n(knots.knots.data() + s + 1, around_.size(), around_.begin());
+    }
+    [[nodiscard]] Time begin() const { return around_[k - 2]; }
+    [[nodiscard]] Time end() const { return around_[k - 1]; }
+
+    /// The basis at several times, to the bit as basis() gives it: seconds where Time is double, ticks since begin()
+    /// where it is an integer.
+    template <int D, typename Real, int N, int Bytes>
+    [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
+      using L = Lanes<Real, N, Bytes>;
+      using Wide = Lanes<double, N, Bytes>;
+      std::array<L, k - 1> before, behind;
+      for (std::size_t j = 0; j < k - 1; ++j) {
+        before[j] = lanes_cast<Real>(t - Wide(place(around_[j])));
+        behind[j] = lanes_cast<Real>(Wide(place(around_[k - 1 + j])) - t);
+      }
+      return nonuniform_basis<Order, D, L>(std::span<const Time, 2 * k - 2>(around_), before, behind);
+    }
+
+   private:
+    // A knot in the units and from the origin of basis()'s t.
+    [[nodiscard]] double place(Time knot) const {
+      if constexpr (std::floating_point<Time>) {
+        return static_cast<double>(knot);
+      } else {
+        return static_cast<double>((knot - begin()).count());
+      }
+    }
+    std::array<Time, 2 * k - 2> around_;
+  };
 };
 
 template <typename T>

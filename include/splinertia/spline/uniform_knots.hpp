@@ -8,6 +8,7 @@
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/group/stumpff.hpp>
+#include <splinertia/lanes.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/knots.hpp>
@@ -81,36 +82,78 @@ struct UniformKnots {
     return after(start, (static_cast<double>(i) + 1 - 0.5 * order) * seconds<double>(interval));
   }
 
+  /// The segment that t falls in: a knot belongs to the one that it begins, the end to the last.
+  /// Requires start <= t <= end (asserted).
+  [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
+    assert(t >= start && t <= domain(control_points, order).end);
+    const std::size_t last = control_points - static_cast<std::size_t>(order);
+    if constexpr (std::floating_point<Time>) {
+      // The quotient may round up to the next integer; the remainder, which fma gives exactly, tells.
+      const Time quotient = (t - start) / interval;
+      const std::size_t s = quotient < static_cast<Time>(last) ? static_cast<std::size_t>(quotient) : last;
+      return s > 0 && since_knot(s, t) < 0 ? s - 1 : s;
+    } else {
+      const auto s = static_cast<std::size_t>((t - start).count() / interval.count());
+      return s > last ? last : s;
+    }
+  }
+
   template <typename Scalar, int Order, int D>
   [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
     using Real = Constant<Scalar>;
-    assert(t >= start && t <= domain(control_points, Order).end);
-    const std::size_t last = control_points - static_cast<std::size_t>(Order);
-    std::size_t s;
+    const std::size_t s = segment(t, control_points, Order);
     Real u;
-    if constexpr (std::floating_point<Time>) {
-      // The quotient may round up to the next integer; the remainder, which fma gives exactly, tells.
-      const Time elapsed = t - start;
-      const Time quotient = elapsed / interval;
-      s = quotient < static_cast<Time>(last) ? static_cast<std::size_t>(quotient) : last;
-      Time remainder = std::fma(-static_cast<Time>(s), interval, elapsed);
-      if (remainder < 0 && s > 0) {
-        --s;
-        remainder = std::fma(-static_cast<Time>(s), interval, elapsed);
-      }
-      if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
-        u = Real(remainder) / Real(interval);
-      } else {
-        u = static_cast<Real>(remainder / interval);
-      }
+    if constexpr (!std::floating_point<Time>) {
+      u = static_cast<Real>((t - knot(s, Order)).count()) / static_cast<Real>(interval.count());
+    } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
+      u = Real(since_knot(s, t)) / Real(interval);
     } else {
-      const auto elapsed = (t - start).count();
-      s = static_cast<std::size_t>(elapsed / interval.count());
-      if (s > last) s = last;
-      const auto remainder = elapsed - static_cast<typename Time::rep>(s) * interval.count();
-      u = static_cast<Real>(remainder) / static_cast<Real>(interval.count());
+      u = static_cast<Real>(since_knot(s, t) / interval);
     }
     return {s, uniform_basis<Order, D, Real, Scalar>(u, seconds<Real>(interval))};
+  }
+
+  /// Segment s of a curve, prepared for many times in it.
+  template <int Order>
+  class Segment {
+   public:
+    Segment(const UniformKnots& knots, std::size_t s)
+        : interval_(knots.interval), start_(knots.start), begin_(knots.knot(s, Order)) {
+      if constexpr (std::floating_point<Time>) {
+        offset_ = static_cast<Time>(s) * interval_;
+        offset_error_ = std::fma(static_cast<Time>(s), interval_, -offset_);
+      }
+    }
+    /// Where the segment begins; up to rounding for a floating-point Time.
+    [[nodiscard]] Time begin() const { return begin_; }
+    [[nodiscard]] Time end() const { return begin_ + interval_; }
+
+    /// The basis at several times, to the bit as basis() gives it: seconds where Time is double, ticks since begin()
+    /// where it is an integer.
+    template <int D, typename Real, int N, int Bytes>
+    [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
+      using L = Lanes<Real, N, Bytes>;
+      using Wide = Lanes<double, N, Bytes>;
+      if constexpr (std::floating_point<Time>) {
+        // The first difference is exact (Sterbenz), so that the second rounds what fma does in since_knot().
+        const Wide rest = ((t - Wide(start_)) - Wide(offset_)) - Wide(offset_error_);
+        const L u = lanes_cast<Real>(rest / Wide(interval_));
+        return uniform_basis<Order, D, L>(u, L(static_cast<Real>(interval_)));
+      } else {
+        const L u = lanes_cast<Real>(t) / L(static_cast<Real>(interval_.count()));
+        return uniform_basis<Order, D, L>(u, L(seconds<Real>(interval_)));
+      }
+    }
+
+   private:
+    Time interval_, start_, begin_;
+    Time offset_{}, offset_error_{};  // of the first knot from start_, as an unevaluated sum
+  };
+
+ private:
+  // t − (start + s·interval), rounded once.
+  [[nodiscard]] Time since_knot(std::size_t s, Time t) const {
+    return std::fma(-static_cast<Time>(s), interval, t - start);
   }
 };
 

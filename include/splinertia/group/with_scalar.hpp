@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/// The same group over another scalar, for computing with several elements at once (lanes.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <splinertia/group/parameters.hpp>
+#include <splinertia/lanes.hpp>
+
+namespace splinertia {
+
+/// Specialise for a group G of which exp_of_fraction(), compose() and the Adjoint work for any scalar S, without
+/// branching on one: `using type` is the same group over S, whose elements are kept in numbers in the same order
+/// (ParameterLayout).
+template <typename G, typename S>
+struct WithScalarOf {};
+template <typename Scalar, int N, typename S>
+struct WithScalarOf<Eigen::Matrix<Scalar, N, 1>, S> {
+  using type = Eigen::Matrix<S, N, 1>;
+};
+template <typename Scalar, typename S>
+struct WithScalarOf<Sophus::SO3<Scalar>, S> {
+  using type = Sophus::SO3<S>;
+};
+template <typename Scalar, typename S>
+struct WithScalarOf<Sophus::SE3<Scalar>, S> {
+  using type = Sophus::SE3<S>;
+};
+template <typename... F, typename S>
+  requires(requires { typename WithScalarOf<F, S>::type; } && ...)
+struct WithScalarOf<Product<F...>, S> {
+  using type = Product<typename WithScalarOf<F, S>::type...>;
+};
+
+template <typename G, typename S>
+using WithScalar = typename WithScalarOf<G, S>::type;
+
+/// G over lanes is a group, too.
+template <typename G, typename L>
+concept HasLanes = requires { typename WithScalarOf<G, L>::type; };
+
+/// x in all lanes.
+template <typename L, LieGroup G>
+  requires HasLanes<G, L>
+[[nodiscard]] inline WithScalar<G, L> in_all_lanes(const G& x) {
+  std::array<ScalarOf<G>, parameter_count<G>> numbers;
+  write_parameters(x, numbers.data());
+  std::array<L, parameter_count<G>> lanes;
+  for (std::size_t i = 0; i < numbers.size(); ++i) lanes[i] = L(numbers[i]);
+  return read_parameters<WithScalar<G, L>>(lanes.data());
+}
+
+}  // namespace splinertia

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <splinertia/group/parameters.hpp>
+#include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/motion/trajectory.hpp>
+#include <splinertia/sample_rows.hpp>
+#include <splinertia/spline/lane_samples.hpp>
+#include <splinertia/spline/sample_times.hpp>
+
+namespace splinertia {
+
+/// What a perfect IMU measures at one time, and where it was.
+template <Pose G>
+struct ImuSampleAtPose : ImuMeasurement<ScalarOf<G>> {
+  G pose;  ///< T_WB
+};
+
+/// What a perfect IMU measures at many times, with the poses that it was at: as sample_imu() gives it.
+///
+///   const auto samples = sample_imu(curve, curve.start(), 0.001, 10000);
+///   samples[17].gyro;                         // and .accel, .pose: of one sample
+///   samples.accel().row(2);                   // the z axis at all times, contiguous
+template <Pose G>
+class ImuSamples {
+ public:
+  using Scalar = ScalarOf<G>;
+  static constexpr int parameters = parameter_count<G>;
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  void resize(std::size_t size) { rows_.resize(size); }
+
+  [[nodiscard]] ImuSampleAtPose<G> operator[](std::size_t i) const {
+    return {{rows_.template column<3>(0, i), rows_.template column<3>(3, i)},
+            read_parameters<G>(rows_.template column<parameters>(6, i).data())};
+  }
+  [[nodiscard]] SampleIterator<ImuSamples> begin() const { return {*this, 0}; }
+  [[nodiscard]] SampleIterator<ImuSamples> end() const { return {*this, size()}; }
+
+  /// Angular velocity [rad/s] and specific force [m/s²] in B, 3 × size().
+  [[nodiscard]] auto gyro() const { return rows_.template rows<3>(0); }
+  [[nodiscard]] auto accel() const { return rows_.template rows<3>(3); }
+  /// The numbers of the poses (group/parameters.hpp), parameters × size().
+  [[nodiscard]] auto pose() const { return rows_.template rows<parameters>(6); }
+
+  class Writer {
+   public:
+    explicit Writer(ImuSamples& samples) : rows_(samples.rows_) {}
+
+    /// Sample i, or where H is G in lanes, those from i on.
+    template <Pose H>
+    void write(std::size_t i, const ImuMeasurement<ScalarOf<H>>& imu, const H& pose) const {
+      std::array<ScalarOf<H>, parameters> numbers;
+      write_parameters(pose, numbers.data());
+      rows_.template write<0, 3>(i, imu.gyro);
+      rows_.template write<3, 3>(i, imu.accel);
+      rows_.template write<6, parameters>(i, numbers);
+    }
+
+   private:
+    typename SampleRows<Scalar, 6 + parameters>::Writer rows_;
+  };
+
+ private:
+  SampleRows<Scalar, 6 + parameters> rows_;
+};
+
+/// A lever arm in all lanes of L.
+template <typename L, typename Scalar>
+[[nodiscard]] inline LeverArm<L> in_all_lanes(const LeverArm<Scalar>& arm) {
+  return {splinertia::in_all_lanes<L>(arm.R_BI), splinertia::in_all_lanes<L>(arm.p_BI)};
+}
+
+/// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As
+/// sample_imu() below; with a LeverArm as the last argument what the IMU at its end measures.
+template <typename C, typename... Arm>
+  requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Arm) <= 1)
+void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
+                ImuSamples<typename C::Group>& samples, const Vector3<ScalarOf<typename C::Group>>& gravity,
+                const Arm&... arm) {
+  check_sample_times(times, first + count, curve.start(), curve.end());
+  samples.resize(count);
+  const typename ImuSamples<typename C::Group>::Writer to(samples);
+  for_each_sample<2>(curve, times, first, count, [first, to, gravity, arm...](std::size_t i, const auto& motion) {
+    using S = ScalarOf<typename std::remove_cvref_t<decltype(motion)>::Group>;
+    if constexpr (is_lanes<S>) {
+      to.write(i - first, ideal_imu(motion, in_all_lanes<S>(gravity), in_all_lanes<S>(arm)...), motion.value);
+    } else {
+      to.write(i - first, ideal_imu(motion, gravity, arm...), motion.value);
+    }
+  });
+}
+
+/// What a perfect IMU at the body's origin measures along a curve at `count` times from `start` on, `interval` apart,
+/// and the poses there: as ideal_imu() of evaluate<2>() at each of them gives, but several at once and several times as
+/// fast (spline/lane_samples.hpp). `gravity`: acceleration of free fall in the world, m/s². Throws
+/// std::invalid_argument for an interval that is not positive, std::out_of_range for times that the curve is not
+/// defined at; the last may be behind its end by rounding.
+template <typename C>
+  requires(Trajectory<C, 2> && Pose<typename C::Group>)
+[[nodiscard]] ImuSamples<typename C::Group> sample_imu(
+    const C& curve, typename C::Time start, typename C::Time interval, std::size_t count,
+    const Vector3<ScalarOf<typename C::Group>>& gravity = standard_gravity<ScalarOf<typename C::Group>>()) {
+  ImuSamples<typename C::Group> samples;
+  sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity);
+  return samples;
+}
+
+/// The same of an IMU on a lever arm (ideal_imu.hpp); the poses are the body's.
+template <typename C>
+  requires(Trajectory<C, 2> && Pose<typename C::Group>)
+[[nodiscard]] ImuSamples<typename C::Group> sample_imu(const C& curve, typename C::Time start,
+                                                       typename C::Time interval, std::size_t count,
+                                                       const Vector3<ScalarOf<typename C::Group>>& gravity,
+                                                       const LeverArm<ScalarOf<typename C::Group>>& arm) {
+  ImuSamples<typename C::Group> samples;
+  sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity, arm);
+  return samples;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// IMU samples as a NumPy array of records (time_ns, gyro, accel), 56 bytes a sample, that numpy.load reads as it is:
+///
+///   imu = numpy.load("imu.npy")    # or mmap_mode="r", which reads only what is looked at
+///   imu["time_ns"], imu["gyro"][:, 2]
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <ranges>
+#include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/little_endian.hpp>
+#include <splinertia/io/npy.hpp>
+#include <splinertia/io/number_text.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace splinertia {
+
+/// Time [ns], angular velocity [rad/s], specific force [m/s²]; little-endian on every machine.
+inline constexpr const char* npy_imu_dtype = "[('time_ns', '<i8'), ('gyro', '<f8', (3,)), ('accel', '<f8', (3,))]";
+inline constexpr std::size_t npy_imu_size = 7 * 8;  // bytes
+
+/// Writes IMU samples as a NumPy array, one by one in constant memory; the file appears with commit(). Members throw
+/// std::runtime_error if the file cannot be written, std::invalid_argument for what read_npy_imu would refuse: no
+/// samples, NaN, times that do not increase.
+class NpyImuWriter {
+ public:
+  explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, npy_imu_dtype) {}
+
+  /// One sample: anything with time (integer nanoseconds), gyro [rad/s] and accel [m/s²].
+  void append(const auto& sample)
+    requires std::convertible_to<decltype(sample.time), std::chrono::nanoseconds>
+  {
+    const std::chrono::nanoseconds time = sample.time;
+    if (time_ && time <= *time_) {
+      npy_.file().abandon();
+      throw std::invalid_argument(message(npy_.file().path().string(), ": time ", time.count(), " ns follows ",
+                                          time_->count(), " ns, expected increasing times"));
+    }
+    time_ = time;
+    char* end = store_little_endian(npy_.room(npy_imu_size), std::int64_t{time.count()});
+    end = store(end, sample.gyro);
+    npy_.advance(store(end, sample.accel));
+  }
+
+  /// Completes the file.
+  void commit() { npy_.commit(); }
+
+ private:
+  [[nodiscard]] char* store(char* to, const auto& vector) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double value = vector[axis];
+      if (!has_finite_bits(value)) npy_.file().refuse(value);
+      to = store_little_endian(to, value);
+    }
+    return to;
+  }
+
+  NpyWriter npy_;
+  std::optional<std::chrono::nanoseconds> time_;
+};
+
+/// Writes all samples of a range; as NpyImuWriter.
+template <std::ranges::input_range Samples>
+void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
+  NpyImuWriter writer(path);
+  for (const auto& sample : samples) writer.append(sample);
+  writer.commit();
+}
+
+/// The samples in a file that NpyImuWriter or numpy.save wrote, with the same bits. Throws std::runtime_error with file
+/// and byte or row for the first thing wrong: what NpyReader refuses, NaN, infinity, times that do not increase.
+[[nodiscard]] inline std::vector<EurocImu> read_npy_imu(const std::filesystem::path& path) {
+  NpyReader file(path, npy_imu_dtype, npy_imu_size);
+  std::vector<EurocImu> samples;
+  samples.reserve(file.expected_rows());
+  const auto vector = [&](const char* name, std::size_t offset) {
+    Eigen::Vector3d result;
+    for (int axis = 0; axis < 3; ++axis) {
+      result[axis] = load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
+      if (has_finite_bits(result[axis])) continue;
+      char text[number_text_size];
+      const std::string_view value(text, static_cast<std::size_t>(real_to_chars(text, result[axis]) - text));
+      file.fail_row(name, '[', axis, "] is ", value, ", expected a finite number");
+    }
+    return result;
+  };
+  while (file.next()) {
+    const std::chrono::nanoseconds time{load_little_endian<std::int64_t>(file.record())};
+    if (!samples.empty() && time <= samples.back().time) {
+      file.fail_row("time_ns ", time.count(), " follows ", samples.back().time.count(), ", expected increasing times");
+    }
+    const Eigen::Vector3d gyro = vector("gyro", 8), accel = vector("accel", 32);
+    samples.push_back({time, gyro, accel});
+  }
+  return samples;
+}
+
+}  // namespace splinertia

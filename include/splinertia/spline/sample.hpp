@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <splinertia/group/parameters.hpp>
+#include <splinertia/motion/motion.hpp>
+#include <splinertia/motion/trajectory.hpp>
+#include <splinertia/sample_rows.hpp>
+#include <splinertia/spline/lane_samples.hpp>
+#include <splinertia/spline/sample_times.hpp>
+
+namespace splinertia {
+
+/// The motion at many times: as sample<D>() gives it.
+///
+///   const auto samples = sample<1>(curve, curve.start(), 0.001, 10000);
+///   samples[17].velocity;                     // a Motion, made of the numbers of one sample
+///   samples.velocity().row(2);                // one component at all times, contiguous
+template <LieGroup G, int D>
+class MotionSamples {
+ public:
+  using Scalar = ScalarOf<G>;
+  static constexpr int parameters = parameter_count<G>;
+  static constexpr int dof = DofOf<G>;
+  using Rows = SampleRows<Scalar, parameters + D * dof>;
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  void resize(std::size_t size) { rows_.resize(size); }
+
+  [[nodiscard]] Motion<G, D> operator[](std::size_t i) const {
+    Motion<G, D> m;
+    m.value = read_parameters<G>(rows_.template column<parameters>(0, i).data());
+    if constexpr (D >= 1) m.velocity = rows_.template column<dof>(parameters, i);
+    if constexpr (D >= 2) m.acceleration = rows_.template column<dof>(parameters + dof, i);
+    if constexpr (D >= 3) m.jerk = rows_.template column<dof>(parameters + 2 * dof, i);
+    return m;
+  }
+  [[nodiscard]] SampleIterator<MotionSamples> begin() const { return {*this, 0}; }
+  [[nodiscard]] SampleIterator<MotionSamples> end() const { return {*this, size()}; }
+
+  /// The numbers of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size().
+  [[nodiscard]] auto value() const { return rows_.template rows<parameters>(0); }
+  [[nodiscard]] auto velocity() const
+    requires(D >= 1)
+  {
+    return rows_.template rows<dof>(parameters);
+  }
+  [[nodiscard]] auto acceleration() const
+    requires(D >= 2)
+  {
+    return rows_.template rows<dof>(parameters + dof);
+  }
+  [[nodiscard]] auto jerk() const
+    requires(D >= 3)
+  {
+    return rows_.template rows<dof>(parameters + 2 * dof);
+  }
+
+  class Writer {
+   public:
+    explicit Writer(MotionSamples& samples) : rows_(samples.rows_) {}
+
+    /// Sample i, or where H is G in lanes, those from i on.
+    template <LieGroup H>
+    void write(std::size_t i, const Motion<H, D>& m) const {
+      std::array<ScalarOf<H>, parameters> numbers;
+      write_parameters(m.value, numbers.data());
+      rows_.template write<0, parameters>(i, numbers);
+      if constexpr (D >= 1) rows_.template write<parameters, dof>(i, m.velocity);
+      if constexpr (D >= 2) rows_.template write<parameters + dof, dof>(i, m.acceleration);
+      if constexpr (D >= 3) rows_.template write<parameters + 2 * dof, dof>(i, m.jerk);
+    }
+
+   private:
+    typename Rows::Writer rows_;
+  };
+
+ private:
+  Rows rows_;
+};
+
+/// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As
+/// sample() below.
+template <int D, typename C>
+  requires Trajectory<C, D>
+void sample(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
+            MotionSamples<typename C::Group, D>& samples) {
+  check_sample_times(times, first + count, curve.start(), curve.end());
+  samples.resize(count);
+  const typename MotionSamples<typename C::Group, D>::Writer to(samples);
+  for_each_sample<D>(curve, times, first, count,
+                     [first, to](std::size_t i, const auto& motion) { to.write(i - first, motion); });
+}
+
+/// Value and first D derivatives of a curve at `count` times from `start` on, `interval` apart: as evaluate<D>() at
+/// each of them gives, but several at once and several times as fast (spline/lane_samples.hpp; other curves than
+/// LaneCurves are evaluated one by one). Throws std::invalid_argument for an interval that is not positive,
+/// std::out_of_range for times that the curve is not defined at; the last may be behind its end by rounding.
+template <int D, typename C>
+  requires Trajectory<C, D>
+[[nodiscard]] MotionSamples<typename C::Group, D> sample(const C& curve, typename C::Time start,
+                                                         typename C::Time interval, std::size_t count) {
+  MotionSamples<typename C::Group, D> samples;
+  sample<D>(curve, SampleTimes{start, interval}, 0, count, samples);
+  return samples;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <splinertia/finite.hpp>
+#include <splinertia/lanes.hpp>
+#include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+
+namespace splinertia {
+
+/// Times at a constant interval: sample i is at start + i·interval, rounded once or, where the target multiplies and
+/// adds in two steps, twice.
+template <TimePoint T = double>
+struct SampleTimes {
+  using Time = T;
+
+  Time start;     ///< of sample 0; s for a floating-point Time
+  Time interval;  ///< > 0
+
+  [[nodiscard]] Time operator()(std::size_t i) const {
+    if constexpr (std::floating_point<Time>) {
+      return start + static_cast<Time>(i) * interval;
+    } else {
+      return start + static_cast<typename Time::rep>(i) * interval;
+    }
+  }
+
+  /// Those of the samples from i on. Time is double.
+  template <typename L>
+  [[nodiscard]] L lanes(std::size_t i) const
+    requires std::same_as<Time, double>
+  {
+    return L(start) + (L(static_cast<double>(i)) + L::ramp()) * L(interval);
+  }
+
+  /// About how many intervals a duration has.
+  [[nodiscard]] double intervals(Time duration) const {
+    if constexpr (std::floating_point<Time>) {
+      return static_cast<double>(duration / interval);
+    } else {
+      return static_cast<double>(duration.count()) / static_cast<double>(interval.count());
+    }
+  }
+};
+
+template <typename T>
+SampleTimes(T, T) -> SampleTimes<T>;
+
+/// Throws std::invalid_argument unless the interval is positive, std::out_of_range unless the first `count` times are
+/// between start and end; the last may be behind by rounding.
+template <TimePoint Time>
+inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count, Time start, Time end) {
+  if (!(times.interval > Time{}) || !is_finite(times.interval)) {
+    throw std::invalid_argument(
+        message("sample: interval is ", printable(times.interval), ", expected a positive finite number"));
+  }
+  if (count == 0) return;
+  const Time last = times(count - 1);
+  Time rounding{};
+  if constexpr (std::floating_point<Time>) {
+    rounding = 4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(times.start), std::abs(end));
+  }
+  if (!(times.start >= start && last >= times.start && last - rounding <= end)) {
+    throw std::out_of_range(message("sample: ", count, " samples from ", printable(times.start), " to ",
+                                    printable(last), ", the curve is defined from ", printable(start), " to ",
+                                    printable(end)));
+  }
+}
+
+}  // namespace splinertia
