@@ -35,6 +35,7 @@ struct Options {
   allan::IdentifyOptions<double> identify;
   std::filesystem::path output = ".";
   bool no_plot = false;
+  unsigned threads = 1;
 };
 
 struct DeviationOptions {
@@ -67,7 +68,7 @@ void plot(const Options& o) {
 void analyse_log(Options o) {
   o.identify.candidates = terms_of(o.terms);
   const ImuLog log = read_imu_log(o.log, o.reading);
-  const LogNoise noise = analyse(log, o.identify);
+  const LogNoise noise = analyse(log, o.identify, o.threads);
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
   print_report(log, noise);
   write_files(noise, o.output);
@@ -164,6 +165,8 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("-o,--output", o.output, "folder for curves.csv, noise.csv, imu.yaml (Kalibr), allan.png and .svg")
       ->capture_default_str();
   app.add_flag("--no-plot", o.no_plot, "no allan.png and .svg, which need Python with matplotlib");
+  app.add_option("--threads", o.threads, "axes of a sensor analysed at once; 0: as many as the machine runs at once")
+      ->capture_default_str();
   app.add_option("--python", reading.python, "for plots and ROS bags; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str();
 }

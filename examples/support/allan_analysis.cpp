@@ -5,14 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/noise_densities.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/parallel.hpp>
 #include <splinertia/units.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 using namespace splinertia;
 using allan::NoiseTerm;
@@ -240,28 +243,36 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
 
 }  // namespace
 
-LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& options) {
+LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& options, unsigned threads) {
   constexpr std::size_t fewest = 100;  // fewer have intervals so wide that nobody could use them
   if (log.samples < fewest) {
     throw std::runtime_error(message(log.path, ": ", log.samples, " samples, expected at least ", fewest));
   }
+  const auto named = [&log](const SensorLog& sensor, const std::string& axis, const auto& analysis) {
+    try {
+      return analysis();
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(message(log.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what()));
+    }
+  };
   LogNoise result{log.path, log.rate, static_cast<double>(log.samples) / log.rate, options, {}};
   for (const SensorLog& sensor : log.sensors) {
-    SensorNoise noise{sensor.kind, {}, {}};
-    std::vector<allan::DifferenceSpectrum<double>> spectra;
-    std::string place = message(log.path, ": ", sensor_name(sensor.kind));
-    try {
-      for (const AxisLog& axis : sensor.axes) {
-        place = message(log.path, ": ", sensor_name(sensor.kind), ' ', axis.name);
+    SensorNoise noise{sensor.kind, std::vector<AxisNoise>(sensor.axes.size()), {}};
+    std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
+    for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
+      const AxisLog& axis = sensor.axes[i];
+      noise.axes[i] = named(sensor, message(' ', axis.name), [&] {
         const allan::IntegratedSignal<double> signal(axis.values, log.rate);
-        spectra.emplace_back(signal);
-        noise.axes.push_back({axis.name, allan::curve<allan::OverlappingAllanDeviation>(signal),
-                              allan::identify_pooled<double>({spectra.back()}, options)});
-      }
-      noise.pooled = noise.axes.size() == 1 ? noise.axes[0].noise : allan::identify_pooled<double>(spectra, options);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message(place, ": ", error.what()));
-    }
+        found[i].emplace(signal);
+        return AxisNoise{axis.name, allan::curve<allan::OverlappingAllanDeviation>(signal),
+                         allan::identify_pooled<double>({*found[i]}, options)};
+      });
+    });
+    std::vector<allan::DifferenceSpectrum<double>> spectra;
+    for (auto& spectrum : found) spectra.push_back(std::move(*spectrum));
+    noise.pooled = named(sensor, "", [&] {
+      return noise.axes.size() == 1 ? noise.axes[0].noise : allan::identify_pooled<double>(spectra, options);
+    });
     result.sensors.push_back(std::move(noise));
   }
   return result;

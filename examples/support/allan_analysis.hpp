@@ -33,8 +33,10 @@ struct LogNoise {
 };
 
 /// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all.
-/// Throws std::runtime_error that names log, sensor and axis for a signal that cannot be analysed.
-[[nodiscard]] LogNoise analyse(const ImuLog& log, const splinertia::allan::IdentifyOptions<double>& options);
+/// So many axes at once, each in a thread. Throws std::runtime_error that names log, sensor and axis for a signal that
+/// cannot be analysed.
+[[nodiscard]] LogNoise analyse(const ImuLog& log, const splinertia::allan::IdentifyOptions<double>& options,
+                               unsigned threads = 1);
 
 /// The four densities that Kalibr wants, and a line about each that needs one: those of all axes together, or of the
 /// noisiest axis if the axes differ by more than their intervals; of what is not detected the upper limit, because

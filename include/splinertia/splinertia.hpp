@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All of splinertia. Each header also stands alone.
+/// All of splinertia but files (io/), other libraries (adapters/) and threads (parallel.hpp). Each header also stands
+/// alone.
 #pragma once
 
 #include <splinertia/allan/curve.hpp>

@@ -74,6 +74,11 @@ if(NOT result EQUAL 0 OR NOT text MATCHES "white noise: density 0.0[23][0-9]* m/
   message(FATAL_ERROR "simulate_imu --kalibr of allan's imu.yaml: exit code ${result}\n${text}")
 endif()
 
+# Threads change nothing.
+run(0 "wrote curves.csv" "${out}/rest/imu.csv" --threads 2 --output "${out}/in threads" --no-plot)
+expect_same("${out}/result/noise.csv" "${out}/in threads/noise.csv")
+expect_same("${out}/result/curves.csv" "${out}/in threads/curves.csv")
+
 # Options of the analysis.
 run(0 "above 10 Hz: left out, as --highest-frequency says" "${out}/rest/imu.csv" --highest-frequency 10 --output "${out}/options" --no-plot)
 run(0 "rate ramp: not detected in 1200 s; below .* with 68 % confidence" "${out}/rest/imu.csv" --terms N,K,R --confidence 0.68 --output "${out}/options" --no-plot)
