@@ -17,7 +17,7 @@
 #include <random>
 #include <splinertia/splinertia.hpp>
 
-#include "support/harness.hpp"
+#include "support/overhead.hpp"
 
 using namespace splinertia;
 using Vector = Eigen::Vector3d;
@@ -238,21 +238,45 @@ struct Loop {
   }
 };
 
-struct Pair {
-  Loop library, by_hand;
-};
-
-template <typename ByHand>
-void add_pairs(std::vector<Pair>& pairs, const std::string& name, const auto& model) {
-  pairs.push_back({{"apply_" + name, [model](std::size_t n, Sums& s) { apply_model(model, n, s); }},
-                   {"apply_" + name + "_by_hand", [](std::size_t n, Sums& s) { apply_by_hand<ByHand>(n, s); }}});
-  pairs.push_back({{"simulate_" + name, [model](std::size_t n, Sums& s) { simulate_model(model, n, s); }},
-                   {"simulate_" + name + "_by_hand", [](std::size_t n, Sums& s) { simulate_by_hand<ByHand>(n, s); }}});
+/// How many more instructions than by hand the library may have: as elsewhere, but with nothing to do, next to none.
+benchmark::Tolerance tolerance(bool whole, bool no_errors) {
+#ifdef __clang__
+  constexpr double of_simulate = 0.08, of_no_errors = 0.04;  // clang++-14 moves more between registers and the stack
+#else
+  constexpr double of_simulate = 0.02, of_no_errors = 0.001;
+#endif
+  if (no_errors) return {.part = whole ? of_no_errors : 0.001, .few = 0};
+  if (whole) return {.part = of_simulate, .few = 0};
+  return {};
 }
 
-const std::vector<Pair>& pairs() {
-  static const std::vector<Pair> the = [] {
-    std::vector<Pair> all;
+benchmark::Pair pair(const Loop& library, const Loop& by_hand, const benchmark::Tolerance& tolerance) {
+  return {library.kernel(),
+          by_hand.kernel(),
+          [library, by_hand] {
+            constexpr std::size_t calls = 3000;
+            const Sums a = library.sums(calls), b = by_hand.sums(calls);
+            return ((a.gyro - b.gyro).norm() + (a.accel - b.accel).norm()) / (1e-12 * calls);
+          },
+          {},
+          tolerance};
+}
+
+template <typename ByHand>
+void add_pairs(std::vector<benchmark::Pair>& pairs, const std::string& name, const auto& model) {
+  constexpr bool no_errors = std::is_same_v<ByHand, NoErrorsByHand>;
+  pairs.push_back(pair({"apply_" + name, [model](std::size_t n, Sums& s) { apply_model(model, n, s); }},
+                       {"apply_" + name + "_by_hand", [](std::size_t n, Sums& s) { apply_by_hand<ByHand>(n, s); }},
+                       tolerance(false, no_errors)));
+  pairs.push_back(
+      pair({"simulate_" + name, [model](std::size_t n, Sums& s) { simulate_model(model, n, s); }},
+           {"simulate_" + name + "_by_hand", [](std::size_t n, Sums& s) { simulate_by_hand<ByHand>(n, s); }},
+           tolerance(true, no_errors)));
+}
+
+const std::vector<benchmark::Pair>& pairs() {
+  static const std::vector<benchmark::Pair> the = [] {
+    std::vector<benchmark::Pair> all;
     add_pairs<NoErrorsByHand>(all, "no_errors", ErrorModel{});
     add_pairs<ConstantBiasByHand>(all, "constant_bias", ErrorModel{ConstantBias{opaque(0.1, 0.2, 0.3)}});
     add_pairs<MisalignmentByHand>(all, "misalignment", ErrorModel{Misalignment{misalignment()}});
@@ -286,21 +310,6 @@ std::vector<Loop> further_terms() {
   add("sinusoidal_vibration", SinusoidalVibration{0.1, 30.0});
   add("random_vibration", RandomVibration{0.1, 30.0, 0.1});
   return loops;
-}
-
-/// Whether library and hand come to the same sums: to the last bit, or to rounding, since compilers contract a·b + c as
-/// they like.
-bool same_sums() {
-  constexpr std::size_t calls = 3000;
-  bool same = true;
-  for (const auto& [library, by_hand] : pairs()) {
-    const Sums a = library.sums(calls), b = by_hand.sums(calls);
-    const double difference = (a.gyro - b.gyro).norm() + (a.accel - b.accel).norm();
-    if (difference <= 1e-12 * calls) continue;
-    std::fprintf(stderr, "%s: its sums differ by %g from those by hand\n", library.name.c_str(), difference);
-    same = false;
-  }
-  return same;
 }
 
 // A full sensor: six axes, each with white noise and a random walk, twelve normal numbers a sample.
@@ -355,7 +364,7 @@ void print_speeds(bool csv, std::size_t calls) {
   const auto times = benchmark::measure_in_turn({{"full_sensor", full_sensor},
                                                  {"full_sensor_with_std", full_sensor_with_std},
                                                  {"twelve_normals", twelve_normals},
-                                                 {"simulate", pairs().back().library.kernel().run}},
+                                                 {"simulate", pairs().back().library.run}},
                                                 calls);
   const auto &library = times[0], &with_std = times[1], &normals = times[2], &whole = times[3];
   const auto line = [&](const char* name, const char* text, double value, double median, const char* unit) {
@@ -404,73 +413,25 @@ void print_memory(bool csv, bool long_run) {
   }
 }
 
-/// Compares the instructions of all pairs. Returns the exit code.
-int check_overhead() {
-  // What the library may have more: this part, or a few instructions of a short loop.
-  constexpr double noise = 0.001, few = 4;
-#ifdef __clang__
-  constexpr double of_simulate = 0.08, of_no_errors = 0.04;  // clang++-14 moves more between registers and the stack
-#else
-  constexpr double of_simulate = 0.02, of_no_errors = noise;
-#endif
-  const auto counted = benchmark::count("_");
-  if (!counted || counted->size() < 2 * pairs().size()) {
-    std::printf("skipped: instructions were not counted, because valgrind is missing or failed\n");
-    return 0;
-  }
-  bool good = true;
-  std::printf("%-36s %10s %10s %10s\n", "instructions a sample", "library", "by hand", "");
-  for (std::size_t k = 0; k < pairs().size(); ++k) {
-    const std::string& name = pairs()[k].library.name;
-    const double library = (*counted)[2 * k], by_hand = (*counted)[2 * k + 1];
-    const double more = library - by_hand;
-    bool passes;
-    if (name == "simulate_no_errors") {
-      passes = more <= of_no_errors * by_hand;
-    } else if (name == "apply_no_errors") {
-      passes = more <= noise * by_hand;
-    } else if (name.starts_with("simulate_")) {
-      passes = more <= of_simulate * by_hand;
-    } else {
-      passes = more <= std::max(0.02 * by_hand, by_hand < 150 ? few : 0);
-    }
-    std::printf("%-36s %10.1f %10.1f %+8.1f %% %s\n", name.c_str(), library, by_hand, 100 * (library / by_hand - 1),
-                passes ? "" : "FAILED");
-    good = good && passes;
-  }
-  return good ? 0 : 1;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<benchmark::Kernel> kernels;
-  for (const auto& [library, by_hand] : pairs()) {
-    kernels.push_back(library.kernel());
-    kernels.push_back(by_hand.kernel());
-  }
+  std::vector<benchmark::Kernel> kernels = benchmark::kernels_of(pairs());
   for (const Loop& loop : further_terms()) kernels.push_back(loop.kernel());
   curve();
 
-  bool check = false, long_run = false;
-  return benchmark::run(
-      argc, argv, "Costs of sensor errors.", kernels,
-      {.options =
-           [&](CLI::App& app) {
-             app.add_flag(
-                 "--check-overhead", check,
-                 "only compare instructions with those of loops by hand (needs valgrind); exit code 1 if there "
-                 "are more");
-             app.add_flag("--memory", long_run, "memory of a run of 1e8 samples, too");
-           },
-       .instead = [&]() -> std::optional<int> {
-         if (!same_sums()) return 1;
-         if (check) return check_overhead();
-         return std::nullopt;
-       },
-       .figures =
-           [&](bool csv, std::size_t calls) {
-             print_speeds(csv, calls);
-             print_memory(csv, long_run);
-           }});
+  bool long_run = false;
+  benchmark::OverheadOptions overhead;
+  return benchmark::run(argc, argv, "Costs of sensor errors.", kernels,
+                        {.options =
+                             [&](CLI::App& app) {
+                               overhead.add(app);
+                               app.add_flag("--memory", long_run, "memory of a run of 1e8 samples, too");
+                             },
+                         .instead = [&] { return overhead.run(pairs(), "sample"); },
+                         .figures =
+                             [&](bool csv, std::size_t calls) {
+                               print_speeds(csv, calls);
+                               print_memory(csv, long_run);
+                             }});
 }

@@ -2,7 +2,8 @@
 // What evaluating and linearizing a spline costs: by group, order and derivative, beside a hand-written loop and, where
 // Ceres is installed, beside automatic differentiation.
 //
-// Workload: 100 control points 0.1 s apart, rotation increments up to 0.5 rad, positions ~ N(0, 1) m, calls at random times.
+// Workload: 100 control points 0.1 s apart, rotation increments up to 0.5 rad, positions ~ N(0, 1) m, calls at random
+// times.
 
 #include <cmath>
 #include <cstdint>
@@ -33,7 +34,8 @@ struct Workload {
     std::uniform_real_distribution<double> angle(-0.29, 0.29), phase(0, 1);
     Sophus::SO3d R;
     for (int i = 0; i < 100; ++i) {
-      R = GroupTraits<Sophus::SO3d>::compose(R, GroupTraits<Sophus::SO3d>::exp({angle(bits), angle(bits), angle(bits)}));
+      R = GroupTraits<Sophus::SO3d>::compose(R,
+                                             GroupTraits<Sophus::SO3d>::exp({angle(bits), angle(bits), angle(bits)}));
       rotations.push_back(R);
       positions.emplace_back(normal(bits), normal(bits), normal(bits));
     }
@@ -102,7 +104,8 @@ benchmark::Kernel on_span(const std::string& name, const auto& f) {
   return {name, [curve = make_curve<G, Order>(), f](std::size_t calls) {
             at_random_times(*curve, calls, [&](double t) {
               const auto place = curve->knots().template basis<double, Order, D>(t, curve->control_points().size());
-              benchmark::keep(f(std::span<const G, Order>(curve->control_points().data() + place.first, Order), place.basis));
+              benchmark::keep(
+                  f(std::span<const G, Order>(curve->control_points().data() + place.first, Order), place.basis));
             });
           }};
 }

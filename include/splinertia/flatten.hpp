@@ -13,7 +13,7 @@ namespace splinertia {
 /// functions of a kernel, and then every intermediate value goes through memory, at up to twice the instructions. Scalars
 /// of automatic differentiation or multiple precision, each operation of which is a function, are left to the compiler.
 template <typename Scalar>
-[[nodiscard]] inline auto flattened(const auto& f) {
+inline auto flattened(const auto& f) {
   if constexpr (std::floating_point<Scalar>) {
     return call_flattened(f);
   } else {

@@ -82,8 +82,8 @@ struct Magnus4 : PointScheme<4, 1, 1> {
  private:
   // The first and the last steps of a run, and irregular ones: out of the way of the others.
   template <typename Scalar, typename Window>
-  [[nodiscard, gnu::noinline, gnu::cold]] static StepMoments<Scalar> moments_anywhere(const Window& window,
-                                                                                      std::size_t from, Scalar h) {
+  [[nodiscard, gnu::noinline, gnu::cold]] static StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
+                                                                                      Scalar h) {
     const Weights<Scalar> w = weights<Scalar>(window, from, h);
     StepMoments<Scalar> m{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(),
                           Vector3<Scalar>::Zero(), h};

@@ -41,7 +41,7 @@ class SampleWindow {
   /// Throws std::invalid_argument unless the longest interval is > 0.
   explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {}) : last_(start), gaps_(gaps) {
     if (!(gaps.longest > Scalar(0))) {
-      throw std::invalid_argument(message("integrate: the longest interval is ", gaps.longest, " s, expected one > 0"));
+      refuse("the longest interval is ", gaps.longest, " s, expected one > 0");
     }
     const Vector3<Scalar> zero = Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
@@ -60,8 +60,7 @@ class SampleWindow {
     if (count_ > 0) {
       check(time);
     } else if (!(time == last_)) {
-      throw std::invalid_argument(
-          message("integrate: the first sample is at ", printable(time), ", the initial state at ", printable(last_)));
+      refuse("the first sample is at ", printable(time), ", the initial state at ", printable(last_));
     }
     append({time, sample.gyro, sample.accel});
     advance(take);
@@ -82,8 +81,7 @@ class SampleWindow {
   void finish(const auto& take) {
     if constexpr (!takes_increments) {
       if (count_ > 1 && count_ < window) {
-        throw std::invalid_argument(message("integrate: ", count_, " samples, expected at least ", window,
-                                            ", which is what the scheme looks at"));
+        refuse(count_, " samples, expected at least ", window, ", which is what the scheme looks at");
       }
     }
     if (count_ > 0) {
@@ -99,24 +97,27 @@ class SampleWindow {
  private:
   static constexpr std::size_t window = Scheme::window;
 
+  // Out of the way of what is inlined, and given copies: whose address is taken stays in memory.
+  [[noreturn, gnu::noinline, gnu::cold]] static void refuse(auto... parts) {
+    throw std::invalid_argument(message("integrate: ", parts...));
+  }
+
   void check(Time time) {
     if (!(time > last_) || !is_finite(time)) {
-      throw std::invalid_argument(message("integrate: sample ", pushed_, " is at ", printable(time),
-                                          ", expected a time after ", printable(last_)));
+      refuse("sample ", pushed_, " is at ", printable(time), ", expected a time after ", printable(last_));
     }
     const Scalar interval = seconds<Scalar>(time - last_);
     const bool gap = interval > gaps_.longest;
     if (gap && gaps_.policy == GapPolicy::refuse) {
-      throw std::invalid_argument(message("integrate: sample ", pushed_, " at ", printable(time), " comes ", interval,
-                                          " s after the one before, expected at most ", gaps_.longest, " s"));
+      refuse("sample ", pushed_, " at ", printable(time), " comes ", interval,
+             " s after the one before, expected at most ", gaps_.longest, " s");
     }
     if constexpr (Scheme::needs_equal_intervals) {
       using std::abs;
       // A hundredth puts as much of an error into the correction, which is itself small; jitter of stamps is below it.
       if (count_ > 0 && !(abs(interval - samples_.back().interval) <= samples_.back().interval / Scalar(100))) {
-        throw std::invalid_argument(message("integrate: sample ", pushed_, " at ", printable(time), " comes ", interval,
-                                            " s after the one before, expected ", samples_.back().interval,
-                                            " s: the scheme needs equal intervals"));
+        refuse("sample ", pushed_, " at ", printable(time), " comes ", interval, " s after the one before, expected ",
+               samples_.back().interval, " s: the scheme needs equal intervals");
       }
     }
     if (gap) ++bridged_;
@@ -136,13 +137,27 @@ class SampleWindow {
   [[nodiscard]] std::size_t waiting() const { return window - from_ - (takes_increments ? 0 : 1); }
 
   void advance(const auto& take) {
+    if constexpr (!takes_increments) {
+      // All steps but the first and the last ones begin at the same place in the window.
+      constexpr std::size_t usual = window - 1 - Scheme::stride - Scheme::lead;
+      if (count_ == window && from_ == usual) [[likely]] {
+        from_ = usual + Scheme::stride;
+        take(samples_, usual, samples_[usual + Scheme::stride].time);
+        return;
+      }
+    }
     while (count_ == window && waiting() >= Scheme::stride + Scheme::lead) step(take);
   }
 
   void step(const auto& take) {
     const std::size_t intervals = std::min(Scheme::stride, waiting());
     const std::size_t from = std::exchange(from_, from_ + intervals);  // first: `take` may throw
-    take(samples_, from, samples_[takes_increments ? from_ - 1 : from_].time);
+    if constexpr (takes_increments) {
+      take(samples_, from, samples_[from_ - 1].time);
+    } else {
+      const auto samples = samples_;  // a copy, so that samples_ can be in registers in all other steps
+      take(samples, from, samples[from_].time);
+    }
   }
 
   std::array<Sample, window> samples_;

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "subjects.hpp"
+
+namespace study {
+
+template std::vector<Subject> subjects<7>(const Poses&, double, std::span<const Truth>);
+
+}  // namespace study
