@@ -703,9 +703,11 @@ otherwise.
 
 {table}
 
-- **Deterministic terms are next to free.** Noise is what costs: six normal numbers take about {white} ns.
-- **Bias instability is the dearest term,** with 21 of them for each axis. If the log is short, leave it out, or take
-  Gauss–Markov.
+- **Biases, scale factor, rate ramp and g-sensitivity are free;** misalignment and saturation are next to it. Noise is what
+  costs: six normal numbers take about {white} ns.
+- **What takes a function or many numbers is dear:** sinusoidal vibration (a reproducible sine an axis), bias instability (21
+  normal numbers an axis), the temperature terms (an exponential a sensor). If the log is short, leave bias instability out,
+  or take Gauss–Markov.
 """
 
 ALLAN = """## Allan deviations

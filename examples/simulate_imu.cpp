@@ -11,6 +11,7 @@
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc.hpp>
+#include <splinertia/io/npy_imu.hpp>
 #include <splinertia/io/trajectory.hpp>
 #include <splinertia/io/tum.hpp>
 #include <splinertia/splinertia.hpp>
@@ -43,6 +44,7 @@ struct Options {
   std::optional<double> knot_interval;
   std::filesystem::path output = ".";
   std::filesystem::path csv;
+  bool npy = false;
   bool help_errors = false;
 
   Eigen::Vector3d gravity_vector() const {
@@ -173,6 +175,8 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   std::filesystem::create_directories(o.output, error);
   if (error) throw std::runtime_error(message(o.output.string(), ": cannot create this folder: ", error.message()));
   EurocImuWriter imu_csv(o.output / "imu.csv");
+  std::optional<NpyImuWriter> imu_npy;
+  if (o.npy) imu_npy.emplace(o.output / "imu.npy");
   EurocGroundtruthWriter groundtruth_csv(o.output / "groundtruth.csv");
   TumWriter poses_tum(o.output / "poses.tum");
   std::optional<AtomicFile> table_csv, imu_yaml;
@@ -200,7 +204,9 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
 
     const nanoseconds time = to_nanoseconds(ideal_reading.time);
     const SO3xR3<double> pose{state.R_WB, state.p_WB};
-    imu_csv.append(EurocImu{to_nanoseconds(reading->time), reading->gyro, reading->accel});
+    const EurocImu imu{to_nanoseconds(reading->time), reading->gyro, reading->accel};
+    imu_csv.append(imu);
+    if (imu_npy) imu_npy->append(imu);
     groundtruth_csv.append(EurocState{time, pose, state.v_WB, reading->gyro_bias, reading->accel_bias});
     poses_tum.append(Stamped<SO3xR3<double>>{time, pose});
     ++reading;
@@ -208,11 +214,12 @@ void simulate_along(const Curve& truth, const Options& o, typename Simulation<co
   }
   if (lost > 0) std::printf("%zu samples were dropped\n", lost);
   imu_csv.commit();
+  if (imu_npy) imu_npy->commit();
   groundtruth_csv.commit();
   poses_tum.commit();
   if (imu_yaml) imu_yaml->commit();
-  std::printf("wrote imu.csv, groundtruth.csv%s poses.tum%s to %s\n", imu_yaml ? "," : " and",
-              imu_yaml ? " and imu.yaml" : "", o.output.string().c_str());
+  std::printf("wrote imu.csv,%s groundtruth.csv%s poses.tum%s to %s\n", o.npy ? " imu.npy," : "",
+              imu_yaml ? "," : " and", imu_yaml ? " and imu.yaml" : "", o.output.string().c_str());
   print_table(ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
   if (table_csv) write_table(*table_csv, ideal_euler, ideal_midpoint, noisy_euler, noisy_midpoint);
 }
@@ -324,6 +331,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("-o,--output", o.output,
                  "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM) and imu.yaml (Kalibr)")
       ->capture_default_str();
+  app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
   app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
   app.add_flag("--help-errors", o.help_errors, "say what a file for --errors can hold, and exit");
 }

@@ -31,6 +31,14 @@ file(STRINGS "${out}/table.csv" table)
 list(LENGTH table lines)
 expect_equal(${lines} 5)
 
+# The samples for NumPy, too: 56 bytes each behind a header that ends at a multiple of 64.
+run(0 "wrote imu.csv, imu.npy, groundtruth.csv, poses.tum and imu.yaml to" --npy --duration 2 --output "${out}/npy")
+file(SIZE "${out}/npy/imu.npy" bytes)
+math(EXPR rest "(${bytes} - 401 * 56) % 64")
+expect_equal(${rest} 0)
+file(READ "${out}/npy/imu.npy" magic LIMIT 6 HEX)
+expect_equal(${magic} 934e554d5059)
+
 # The same seed gives the same bytes, another seed others.
 file(SHA256 "${out}/imu.csv" first)
 run(0 "seed 0" --output "${out}/a")
