@@ -10,6 +10,7 @@
 #include <memory>
 #include <random>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/group/with_scalar.hpp>
 #include <splinertia/spline/linearize.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
@@ -140,25 +141,12 @@ benchmark::Kernel by_hand() {
 }
 
 #if __has_include(<ceres/jet.h>)
-template <typename G>
-struct WithJets;
-template <>
-struct WithJets<Sophus::SO3d> {
-  template <typename T>
-  using type = Sophus::SO3<T>;
-};
-template <>
-struct WithJets<Sophus::SE3d> {
-  template <typename T>
-  using type = Sophus::SE3<T>;
-};
-
 /// The work of linearize<2> by forward-mode automatic differentiation through evaluate<2>.
 template <typename G>
 benchmark::Kernel automatic(const std::string& name) {
   constexpr int dof = DofOf<G>;
   using Jet = ceres::Jet<double, 4 * dof>;
-  using H = typename WithJets<G>::template type<Jet>;
+  using H = WithScalar<G, Jet>;
   return {name, [curve = make_curve<G, 4>()](std::size_t calls) {
             at_random_times(*curve, calls, [&](double t) {
               const auto place = curve->knots().template basis<double, 4, 2>(t, curve->control_points().size());

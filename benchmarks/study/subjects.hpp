@@ -19,17 +19,9 @@ inline constexpr std::size_t most_dense_samples = 4096;  // in one call of sampl
 /// The curve of these control points in another scalar.
 template <typename To, typename From>
 [[nodiscard]] To in_other_scalar(const From& curve) {
-  using G = typename From::Group;
   using H = typename To::Group;
   std::vector<H> points;
-  for (const G& x : curve.control_points()) {
-    std::array<splinertia::ScalarOf<G>, splinertia::parameter_count<G>> numbers;
-    splinertia::write_parameters(x, numbers.data());
-    std::array<splinertia::ScalarOf<H>, splinertia::parameter_count<G>> rounded;
-    std::transform(numbers.begin(), numbers.end(), rounded.begin(),
-                   [](auto value) { return static_cast<splinertia::ScalarOf<H>>(value); });
-    points.push_back(splinertia::read_parameters<H>(rounded.data()));
-  }
+  for (const auto& x : curve.control_points()) points.push_back(splinertia::with_scalar<splinertia::ScalarOf<H>>(x));
   return To(curve.knots(), std::move(points));
 }
 

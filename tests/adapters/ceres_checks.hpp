@@ -12,6 +12,7 @@
 #include <memory>
 #include <numbers>
 #include <splinertia/adapters/ceres_manifold.hpp>
+#include <splinertia/group/with_scalar.hpp>
 #include <splinertia/spline/parameter_blocks.hpp>
 #include <string>
 #include <vector>
@@ -24,36 +25,7 @@
 
 namespace splinertia::testing {
 
-/// G with another scalar.
-template <typename G, typename T>
-struct Rebind;
-template <typename S, int N, typename T>
-struct Rebind<Eigen::Matrix<S, N, 1>, T> {
-  using type = Eigen::Matrix<T, N, 1>;
-};
-template <typename S, typename T>
-struct Rebind<Sophus::SO3<S>, T> {
-  using type = Sophus::SO3<T>;
-};
-template <typename S, typename T>
-struct Rebind<Sophus::SE3<S>, T> {
-  using type = Sophus::SE3<T>;
-};
-template <typename... F, typename T>
-struct Rebind<Product<F...>, T> {
-  using type = Product<typename Rebind<F, T>::type...>;
-};
-template <typename G, typename T>
-using WithScalar = typename Rebind<G, T>::type;
-
-template <typename T, typename G>
-WithScalar<G, T> with_scalar(const G& x) {
-  std::array<ScalarOf<G>, static_cast<std::size_t>(parameter_count<G>)> numbers;
-  std::array<T, static_cast<std::size_t>(parameter_count<G>)> cast;
-  write_parameters<G>(x, numbers.data());
-  std::transform(numbers.begin(), numbers.end(), cast.begin(), [](const auto& v) { return T(v); });
-  return read_parameters<WithScalar<G, T>>(cast.data());
-}
+using splinertia::with_scalar;
 
 template <typename T, typename S, int Order, int D>
 CumulativeBasis<T, Order, D> with_scalar(const CumulativeBasis<S, Order, D>& basis) {

@@ -19,8 +19,8 @@ static_assert(!HasLanes<Product<Sophus::SO2d, Eigen::Vector2d>, L>);
 TEST_CASE("an element is the same in all lanes") {
   const Sophus::SO3d R = GroupTraits<Sophus::SO3d>::exp({0.1, -0.2, 0.3});
   const Eigen::Vector3d p(1, -2, 3e9);
-  const auto lanes = in_all_lanes<L>(SO3xR3<double>{R, p});
-  const auto rigid = in_all_lanes<L>(make_pose<Sophus::SE3d>(R, p));
+  const auto lanes = with_scalar<L>(SO3xR3<double>{R, p});
+  const auto rigid = with_scalar<L>(make_pose<Sophus::SE3d>(R, p));
   const auto each_is = [](const L& x, double value) {
     double numbers[L::size];
     x.store(numbers);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The same group over another scalar, for computing with several elements at once (lanes.hpp).
+/// The same group over another scalar: float for double, ceres::Jet for derivatives, Lanes for several elements at
+/// once.
 #pragma once
 
 #include <array>
@@ -39,15 +40,15 @@ using WithScalar = typename WithScalarOf<G, S>::type;
 template <typename G, typename L>
 concept HasLanes = requires { typename WithScalarOf<G, L>::type; };
 
-/// x in all lanes.
-template <typename L, LieGroup G>
-  requires HasLanes<G, L>
-[[nodiscard]] inline WithScalar<G, L> in_all_lanes(const G& x) {
+/// x in numbers of type S, each rounded once: in all lanes, where S is Lanes.
+template <typename S, LieGroup G>
+  requires requires { typename WithScalarOf<G, S>::type; }
+[[nodiscard]] inline WithScalar<G, S> with_scalar(const G& x) {
   std::array<ScalarOf<G>, parameter_count<G>> numbers;
   write_parameters(x, numbers.data());
-  std::array<L, parameter_count<G>> lanes;
-  for (std::size_t i = 0; i < numbers.size(); ++i) lanes[i] = L(numbers[i]);
-  return read_parameters<WithScalar<G, L>>(lanes.data());
+  std::array<S, parameter_count<G>> cast;
+  for (std::size_t i = 0; i < numbers.size(); ++i) cast[i] = S(numbers[i]);
+  return read_parameters<WithScalar<G, S>>(cast.data());
 }
 
 }  // namespace splinertia

@@ -34,7 +34,7 @@ class IdealImuBlock {
     std::fill(times_.begin() + static_cast<std::ptrdiff_t>(count), times_.end(), times_[count - 1]);
     const typename Rows::Writer to(rows_);
     evaluate_lanes<2>(curve, Times{times_.data(), rate}, 0, count, [to, gravity](std::size_t i, const auto& motion) {
-      const auto imu = ideal_imu(motion, in_all_lanes<typename LaneSegment<C>::L>(gravity));
+      const auto imu = ideal_imu(motion, with_scalar<typename LaneSegment<C>::L>(gravity));
       to.template write<0, 3>(i, imu.gyro);
       to.template write<3, 3>(i, imu.accel);
     });

@@ -67,10 +67,10 @@ class ImuSamples {
   SampleRows<Scalar, 6 + parameters> rows_;
 };
 
-/// A lever arm in all lanes of L.
-template <typename L, typename Scalar>
-[[nodiscard]] inline LeverArm<L> in_all_lanes(const LeverArm<Scalar>& arm) {
-  return {splinertia::in_all_lanes<L>(arm.R_BI), splinertia::in_all_lanes<L>(arm.p_BI)};
+/// A lever arm in numbers of type S.
+template <typename S, typename Scalar>
+[[nodiscard]] inline LeverArm<S> with_scalar(const LeverArm<Scalar>& arm) {
+  return {splinertia::with_scalar<S>(arm.R_BI), splinertia::with_scalar<S>(arm.p_BI)};
 }
 
 /// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As
@@ -86,7 +86,7 @@ void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std:
   for_each_sample<2>(curve, times, first, count, [first, to, gravity, arm...](std::size_t i, const auto& motion) {
     using S = ScalarOf<typename std::remove_cvref_t<decltype(motion)>::Group>;
     if constexpr (is_lanes<S>) {
-      to.write(i - first, ideal_imu(motion, in_all_lanes<S>(gravity), in_all_lanes<S>(arm)...), motion.value);
+      to.write(i - first, ideal_imu(motion, with_scalar<S>(gravity), with_scalar<S>(arm)...), motion.value);
     } else {
       to.write(i - first, ideal_imu(motion, gravity, arm...), motion.value);
     }

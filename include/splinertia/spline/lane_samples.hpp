@@ -37,7 +37,7 @@ class LaneSegment {
   using G = WithScalar<typename C::Group, L>;
 
   LaneSegment(const C& curve, std::size_t s)
-      : first_(in_all_lanes<L>(curve.control_points()[s])), knots_(curve.knots(), s) {
+      : first_(with_scalar<L>(curve.control_points()[s])), knots_(curve.knots(), s) {
     for (std::size_t j = 0; j < increments_.size(); ++j) {
       for (int i = 0; i < increments_[j].size(); ++i) increments_[j][i] = L(curve.increments()[s + j][i]);
     }
