@@ -21,7 +21,7 @@ struct GyroscopeFunctor {
 
   template <typename T>
   bool operator()(T const* const* parameters, T* residuals) const {
-    using H = testing::WithScalar<G, T>;
+    using H = WithScalar<G, T>;
     const auto curve = evaluate<1, H>(parameters, testing::with_scalar<T>(basis));
     Vector3<T> omega;
     if constexpr (Pose<H>) {
@@ -42,7 +42,7 @@ struct AccelerometerFunctor {
 
   template <typename T>
   bool operator()(T const* const* parameters, T* residuals) const {
-    using H = testing::WithScalar<G, T>;
+    using H = WithScalar<G, T>;
     constexpr std::size_t others = Order * ControlPointParts<G>::count;
     const auto curve = evaluate<2, H>(parameters, testing::with_scalar<T>(basis));
     const Vector3<T> force = ideal_imu(curve, vector_at(parameters[others + 1])).accel;

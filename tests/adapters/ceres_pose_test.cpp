@@ -15,7 +15,7 @@ struct PoseFunctor {
 
   template <typename T>
   bool operator()(T const* const* parameters, T* residuals) const {
-    using H = testing::WithScalar<G, T>;
+    using H = WithScalar<G, T>;
     const auto curve = evaluate<0, H>(parameters, testing::with_scalar<T>(basis));
     Eigen::Map<Tangent<H>>{residuals} =
         weight.template cast<T>() * increment<H>(testing::with_scalar<T>(measured), curve.value);
@@ -31,7 +31,7 @@ struct ShiftedPoseFunctor {
 
   template <typename T>
   bool operator()(T const* const* parameters, T* residuals) const {
-    using H = testing::WithScalar<G, T>;
+    using H = WithScalar<G, T>;
     const T& tau = *parameters[Order * ControlPointParts<G>::count];
     const auto curve = evaluate<0, H>(parameters, uniform_basis<Order, 0, T>(T(u) + tau / T(interval), T(interval)));
     Eigen::Map<Tangent<H>>{residuals} =
