@@ -148,7 +148,7 @@ def measure_compiling(build, folder, arguments):
         elif word == "-isystem":
             keep += words[i:i + 2]
     cases = compile_cases(arguments.quick)
-    repetitions = 1 if arguments.quick else 3
+    repetitions = 1 if arguments.quick else 2
     seconds, memory = [[] for _ in cases], [0] * len(cases)
     with tempfile.TemporaryDirectory() as place:
         for repetition in range(repetitions):

@@ -7,7 +7,6 @@
 #include <ceres/gradient_checker.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <numbers>

@@ -22,23 +22,10 @@ struct RigidMotionExp {
 /// exp([ρ; φ]).
 template <typename Scalar>
 [[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
-  const auto c = stumpff<3>(Scalar(phi.squaredNorm()));
+  const auto c = stumpff<3>(scalar_product<Scalar>(phi, phi));
   const Scalar s = c.half[1] / Constant<Scalar>(2);
   return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()},
-          c.full[1] * rho + c.full[2] * phi.cross(rho) + (c.full[3] * phi.dot(rho)) * phi};
-}
-
-/// exp(λ [ρ; φ]). What does not depend on λ is apart, for a compiler to do it once for many λ.
-template <typename Scalar>
-[[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Scalar& lambda, const Vector3<Scalar>& rho,
-                                                             const Vector3<Scalar>& phi) {
-  const Scalar theta2 = scalar_product<Scalar>(phi, phi);
-  const Vector3<Scalar> turned = phi.cross(rho), along = scalar_product<Scalar>(phi, rho) * phi;
-  const Scalar lambda2 = lambda * lambda;
-  const auto c = stumpff<3>(Scalar(lambda2 * theta2));
-  const Scalar s = c.half[1] * (lambda / Constant<Scalar>(2));
-  const Scalar a = c.full[1] * lambda, b = c.full[2] * lambda2, e = c.full[3] * (lambda2 * lambda);
-  return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()}, a * rho + b * turned + e * along};
+          c.full[1] * rho + c.full[2] * phi.cross(rho) + (c.full[3] * scalar_product<Scalar>(phi, rho)) * phi};
 }
 
 /// The ρ of log(T) for the translation t and the rotation vector φ of T: J_l(φ)⁻¹ t = t − φ×t/2 + E φ×(φ×t).

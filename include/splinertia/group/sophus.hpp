@@ -205,10 +205,6 @@ struct GroupTraits<Sophus::SE3<Real>> {
     const auto x = rigid_motion_exp<Real>(tau.template head<3>(), tau.template tail<3>());
     return make(x.rotation, x.translation);
   }
-  static G exp(const Real& lambda, const Vector& tau) {
-    const auto x = rigid_motion_exp<Real>(lambda, tau.template head<3>(), tau.template tail<3>());
-    return make(x.rotation, x.translation);
-  }
   static Vector log(const G& x) { return logarithm(x.translation(), rotation_log<Real>(x.unit_quaternion())); }
   /// Ad_x [ρ; φ] = [Rρ + t × Rφ; Rφ]
   static Vector adjoint(const G& x, const Vector& tau) {

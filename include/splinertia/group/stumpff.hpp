@@ -94,13 +94,15 @@ template <typename Scalar, typename Real, std::size_t Terms>
 }
 
 /// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types, alone or in lanes, take the economized series, which is a term or
-/// two shorter: it is within eps/8 of c_n(0). Its derivatives are not quite so good, so that automatic differentiation
-/// takes Taylor's, as do types of more digits than long double.
+/// two shorter: it is within eps/8 of c_n(0). Others take Taylor's: long double, because its coefficients are not
+/// rounded from a type of more digits; automatic differentiation, because its derivatives are not quite so good; and
+/// types of more digits yet.
 template <int n, typename Scalar>
 [[nodiscard]] inline Scalar stumpff_series(const Scalar& x) {
   using Real = Constant<Scalar>;
   constexpr int digits = std::numeric_limits<Scalar>::digits;
-  if constexpr (std::is_floating_point_v<Scalar> || is_lanes<Scalar>) {
+  constexpr bool built_in = std::is_floating_point_v<Scalar> || is_lanes<Scalar>;
+  if constexpr (built_in && digits < std::numeric_limits<long double>::digits) {
     constexpr int terms = economized_terms(n, stumpff_reach, std::numeric_limits<Real>::epsilon() / Real(8));
     constexpr auto a = economized_series<Real, terms>(n, stumpff_reach);
     return polynomial(a, x);
