@@ -186,7 +186,7 @@ inline Vector weighted(const Vector* d, const Weights& w) { return w.a * d[0] + 
 // Rigid motions by hand, translation and rotation coupled; rates in the body, [v; ω].
 
 inline void factor(Quaternion& q, Vector& p, const Vector& rho, const Vector& phi, double w) {
-  const auto exp = rigid_motion_exp<double>(w, rho, phi);
+  const auto exp = rigid_motion_exp<double>(w * rho, w * phi);
   p = exp.translation + rotate<double>(exp.rotation, p);
   q = quaternion_product(exp.rotation, q);
 }
@@ -207,7 +207,7 @@ inline void factor(Pose2& sum, const Vector& rho, const Vector& phi, double w, d
 
 inline Pose1 rigid_motion(const PlainPoses& curve, std::size_t i, const Weights& w, const Weights& w1) {
   const Vector *rho = curve.rho.data() + i, *phi = curve.phi.data() + i;
-  const auto exp = rigid_motion_exp<double>(w.c, rho[2], phi[2]);
+  const auto exp = rigid_motion_exp<double>(w.c * rho[2], w.c * phi[2]);
   Pose1 sum{exp.rotation, exp.translation, w1.c * phi[2], w1.c * rho[2]};
   factor(sum, rho[1], phi[1], w.b, w1.b);
   factor(sum, rho[0], phi[0], w.a, w1.a);
@@ -217,7 +217,7 @@ inline Pose1 rigid_motion(const PlainPoses& curve, std::size_t i, const Weights&
 inline Pose2 rigid_motion(const PlainPoses& curve, std::size_t i, const Weights& w, const Weights& w1,
                           const Weights& w2) {
   const Vector *rho = curve.rho.data() + i, *phi = curve.phi.data() + i;
-  const auto exp = rigid_motion_exp<double>(w.c, rho[2], phi[2]);
+  const auto exp = rigid_motion_exp<double>(w.c * rho[2], w.c * phi[2]);
   Pose2 sum{exp.rotation, exp.translation, w1.c * phi[2], w1.c * rho[2], w2.c * phi[2], w2.c * rho[2]};
   factor(sum, rho[1], phi[1], w.b, w1.b, w2.b);
   factor(sum, rho[0], phi[0], w.a, w1.a, w2.a);
