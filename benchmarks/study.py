@@ -895,7 +895,7 @@ def allan_section(rows):
 def compiling_section(rows, compiler):
     lines = [[row["what"], GROUPS.get(row["group"], ""), f"{row['order']:.0f}" if row["order"] else "", row["scalar"] or "",
               spread((row["cpu_s_min"], row["cpu_s_median"], row["cpu_s_max"])), f"{row['peak_MB']:.0f}"] for row in rows]
-    return COMPILING.format(compiler=compiler, repetitions="three",
+    return COMPILING.format(compiler=compiler, repetitions="two",
                             table=table(["", "group", "order", "scalar", "s", "MB"], lines))
 
 
