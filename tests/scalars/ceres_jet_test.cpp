@@ -51,8 +51,8 @@ double largest(const Eigen::MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
 
 /// x exp(δ) at δ = 0, the infinitesimals from `first` on being those of δ.
 template <typename T, typename G>
-testing::WithScalar<G, T> perturbed(const G& x, int first) {
-  using H = testing::WithScalar<G, T>;
+WithScalar<G, T> perturbed(const G& x, int first) {
+  using H = WithScalar<G, T>;
   Tangent<H> delta;
   for (int i = 0; i < delta.size(); ++i) delta[i] = T(0.0, first + i);
   return GroupTraits<H>::compose(testing::with_scalar<T>(x), GroupTraits<H>::exp(delta));
@@ -73,7 +73,7 @@ TEMPLATE_TEST_CASE("Jets: exp and log have the group's Jacobians", "", Eigen::Ve
                    SO3xR3<double>) {
   using G = TestType;
   using T = Jet<DofOf<G>>;
-  using H = testing::WithScalar<G, T>;
+  using H = WithScalar<G, T>;
   testing::Random random(1);
   for (const auto& regime : testing::regimes()) {
     INFO(regime.name);
@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE("Jets: a curve's derivatives by its control points are the an
   using G = TestType;
   const auto check_order = [&]<int Order>() {
     using T = Jet<Order * DofOf<G>>;
-    using H = testing::WithScalar<G, T>;
+    using H = WithScalar<G, T>;
     testing::Random random(Order);
     const auto basis = uniform_basis<Order, 2>(0.3, 0.5);
     for (const auto& regime : testing::regimes()) {
@@ -130,7 +130,7 @@ TEMPLATE_TEST_CASE("Jets: a curve's derivatives by time are its velocity, accele
                    Sophus::SO3d, Sophus::SE3d, SO3xR3<double>) {
   using G = TestType;
   using T = Jet<1>;
-  using H = testing::WithScalar<G, T>;
+  using H = WithScalar<G, T>;
   testing::Random random(3);
   for (const auto& regime : testing::regimes()) {
     INFO(regime.name);
