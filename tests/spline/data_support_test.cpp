@@ -161,3 +161,25 @@ TEST_CASE("Nanoseconds and seconds leave the same undetermined") {
   CHECK_FALSE(expected.empty());
   CHECK(undetermined_control_points<Epoch>({epoch, nanoseconds{1'000'000'000}}, 15, poses, all) == expected);
 }
+
+TEST_CASE("Thinly measured are control points with at most 5/4 poses a segment, and none at the ends") {
+  using Curve = Even<4>;
+  const UniformKnots<double> knots{0, 1};
+  const auto thin = [&](const std::vector<double>& times) {
+    return thinly_measured_control_points<Curve>(knots, 23, at_times<Curve>(times), all);
+  };
+  CHECK(thin(spread(0, 20, 0.5)).empty());
+  CHECK(thin(spread(0, 20, 0.64)).empty());  // six in four segments
+  Points inner;
+  for (std::size_t i = 3; i < 20; ++i) inner.push_back(i);
+  CHECK(thin(spread(0, 20, 0.85)) == inner);
+  CHECK(thin(spread(0.5, 20, 1)) == inner);  // in the middle of every segment
+  // From 8 to 14 there is one a segment: i shapes (i − 3, i + 1) and sees five of them or fewer.
+  auto times = spread(0, 8, 0.25);
+  for (const double t : spread(9, 13, 1)) times.push_back(t);
+  for (const double t : spread(14, 20, 0.25)) times.push_back(t);
+  CHECK(thin(times) == Points{11, 12, 13});
+  const auto poses = at_times<Curve>(spread(0, 20, 0.25));
+  const auto half = [](std::size_t i) { return i % 4 == 0; };
+  CHECK(thinly_measured_control_points<Curve>(knots, 23, poses, half) == inner);
+}

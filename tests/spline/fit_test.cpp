@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/normal.hpp>
+#include <splinertia/imu/random_stream.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/spline/data_support.hpp>
 #include <splinertia/spline/fit.hpp>
@@ -118,6 +121,35 @@ double largest_difference(const Curve& a, const Curve& b) {
   return largest;
 }
 
+/// Poses of a hand at a rate, with white noise.
+PosesOf<SplitCurve> hand_poses(double rate, int count, double noise) {
+  NormalStream normal{StreamKey(5)};
+  PosesOf<SplitCurve> poses;
+  for (int i = 0; i < count; ++i) {
+    const double t = i / rate;
+    const Split value{Sophus::SO3d::exp({0.35 * std::sin(3.1 * t), 0.3 * std::cos(2.3 * t), 0.5 * std::sin(2.7 * t)}),
+                      Eigen::Vector3d(0.25 * std::sin(2.1 * t), 0.2 * std::cos(1.7 * t), 1.2)};
+    Six error;
+    for (double& x : error) x = noise * normal();
+    poses.push_back({t, GroupTraits<Split>::compose(value, GroupTraits<Split>::exp(error))});
+  }
+  return poses;
+}
+
+/// The largest difference of values, velocities and accelerations over [from, to].
+Eigen::Array3d differences(const SplitCurve& a, const SplitCurve& b, double from, double to) {
+  Eigen::Array3d largest = Eigen::Array3d::Zero();
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = from + (to - from) * i / 1000;
+    const auto x = a.evaluate<2>(t), y = b.evaluate<2>(t);
+    largest = largest.max(Eigen::Array3d(increment<Split>(x.value, y.value).norm(), (x.velocity - y.velocity).norm(),
+                                         (x.acceleration - y.acceleration).norm()));
+  }
+  return largest;
+}
+
+const std::vector<RobustLoss> robust_losses{RobustLoss::huber(), RobustLoss::cauchy()};
+
 }  // namespace
 
 TEST_CASE("On Rⁿ one step is exact, and is the dense least squares solution") {
@@ -164,8 +196,7 @@ TEST_CASE("The deviation of poses is estimated from the residuals") {
   // The median of 4000 magnitudes is good to 1.2/√4000 = 2 %.
   CHECK_THAT(fitted.standard_deviation[0], WithinRel(0.02, 0.06));
   CHECK(fitted.outliers.empty());
-  const auto given =
-      fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .hold_ends = false});
+  const auto given = fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .hold_ends = false});
   CHECK(given.standard_deviation[0] == 0.005);
   CHECK_FALSE(given.outliers.empty());                             // six of them are 1.5 true ones
   CHECK(largest_difference(fitted.spline, given.spline) < 1e-11);  // a factor of all squares changes nothing
@@ -254,11 +285,9 @@ TEST_CASE("A jump stays where it is") {
   const auto smooth = fit<SplitCurve>(ellipse_poses(200, 10), {.knot_interval = interval, .hold_ends = false});
   // Huber's loss is in the end the sum of magnitudes: both sides of the jump pull, and it takes a knot more to be done.
   const auto check = [&](const RobustLoss& loss, double reach) {
-    const auto fitted =
-        fit<SplitCurve>(poses, {.knot_interval = interval,
-                                .standard_deviation = Six::Constant(1e-4),
-                                .loss = loss,
-                                .hold_ends = false});
+    const auto fitted = fit<SplitCurve>(
+        poses,
+        {.knot_interval = interval, .standard_deviation = Six::Constant(1e-4), .loss = loss, .hold_ends = false});
     CHECK(fitted.converged);
     double beyond = 0, rotated = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -491,4 +520,154 @@ TEST_CASE("Nanoseconds for a curve in seconds, and stamps at an epoch") {
                                ? SplitCurve(reference.spline.knots(), zero.spline.control_points())
                                : reference.spline,
                            reference.spline) < 1e-9);
+}
+
+TEST_CASE("Wrong poses at the ends are named, have no weight, and move nothing") {
+  const double noise = 0.01;
+  const auto clean = hand_poses(30, 200, noise);
+  for (const RobustLoss& loss : robust_losses) {
+    const auto expected = fit<SplitCurve>(clean, {.loss = loss});
+    for (const std::size_t wrong : {1, 2, 3}) {
+      for (const bool at_start : {true, false}) {
+        INFO(wrong << " at the " << (at_start ? "start" : "end"));
+        auto poses = clean;
+        std::vector<std::size_t> planted;
+        for (std::size_t k = 0; k < wrong; ++k) {
+          const std::size_t i = at_start ? k : poses.size() - wrong + k;
+          planted.push_back(i);
+          poses[i].value.get<1>() += 6 * Eigen::Vector3d(std::cos(3. * static_cast<double>(k)), 1, 0);
+        }
+        const auto found = fit<SplitCurve>(poses, {.loss = loss});
+        CHECK(found.converged);
+        CHECK(found.outliers == planted);
+        // Where there are poses, as without the wrong ones, which do not count: each component by less than its noise.
+        const double gone = static_cast<double>(wrong) / 30;
+        const auto off =
+            differences(found.spline, expected.spline, at_start ? gone : 0, 199 / 30. - (at_start ? 0 : gone));
+        CHECK(off[0] < std::sqrt(6.) * noise);
+        // And to the very end it stays near: accelerations below 3 times the true ones.
+        for (double t = 0; t <= found.spline.end(); t += 0.01) {
+          CHECK(found.spline.evaluate<2>(t).acceleration.norm() < 3 * 5.5);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("Two poses of identity before a steady attitude are named, and the rest stays at rest") {
+  const double noise = 1e-3;
+  const Split home{Sophus::SO3d::exp({1.1, -1, 1.1}), Eigen::Vector3d(1, 2, 3)};
+  for (const double rate : {20., 200.}) {
+    testing::Random random(2);
+    PosesOf<SplitCurve> poses;
+    for (int i = 0; i < 300; ++i) {
+      const auto error = GroupTraits<Split>::exp(random.tangent<Split>(noise));
+      poses.push_back({i / rate, i < 2 ? Split() : GroupTraits<Split>::compose(home, error)});
+    }
+    for (const RobustLoss& loss : robust_losses) {
+      const auto found = fit<SplitCurve>(poses, {.loss = loss});
+      CHECK(found.converged);
+      CHECK(found.outliers == std::vector<std::size_t>{0, 1});
+      CHECK(std::isfinite(found.condition));
+      for (double t = 0; t <= found.spline.end(); t += 0.01) {
+        CHECK(found.spline.evaluate<1>(t).velocity.head<3>().norm() < 0.1);
+      }
+    }
+  }
+}
+
+TEST_CASE("Poses that turn by 95, 120 or 170° from one to the next give their rate") {
+  using Rotation = Sophus::SO3d;
+  for (const double degrees : {95., 120., 170.}) {
+    for (const double noise : {0., 1e-3}) {
+      const double rate = degrees * std::numbers::pi / 180;
+      testing::Random random(3);
+      PosesOf<SplitCurve> poses;
+      for (int i = 0; i <= 60; ++i) {
+        const auto error = GroupTraits<Split>::exp(random.tangent<Split>(noise));
+        poses.push_back(
+            {1. * i, GroupTraits<Split>::compose({Rotation::rotZ(rate * i), Eigen::Vector3d(0.1 * i, 0, 0)}, error)});
+      }
+      INFO(degrees << " degrees, noise " << noise);
+      const auto found = fit<SplitCurve>(poses);
+      CHECK(found.converged);
+      REQUIRE(found.knot_choice);
+      CHECK(found.knot_choice->interval * rate <= largest_turn * (1 + 1e-9));
+      for (double t = 0; t <= 60; t += 0.1) {
+        CHECK((found.spline.evaluate<1>(t).velocity.head<3>() - Eigen::Vector3d(0, 0, rate)).norm() < 0.01 * rate);
+      }
+    }
+  }
+}
+
+TEST_CASE("Key frames with pauses converge with chosen knots") {
+  auto poses = hand_poses(10, 200, 1e-3);
+  double pause = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (i % 20 == 19) pause += 2;
+    poses[i].time += pause;
+  }
+  for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::cauchy()}) {
+    const auto found = fit<SplitCurve>(poses, {.loss = loss});
+    CHECK(found.converged);
+    CHECK(found.gaps.size() == 10);
+    CHECK(found.outliers.size() < 4);
+    CHECK(found.residuals.component_rms.maxCoeff() < 0.05);
+    for (double t = 0; t <= found.spline.end(); t += 0.02) {
+      const auto at = found.spline.evaluate<2>(t);
+      CHECK(at.velocity.head<3>().norm() < 3 * 1.8);  // three times what the hand reaches
+      CHECK(at.acceleration.tail<3>().norm() < 3 * 1.3);
+    }
+  }
+}
+
+TEST_CASE("Two poses, three, and poses that are all alike") {
+  const auto hand = hand_poses(10, 200, 0);
+  for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8, 9, 10, 16}) {
+    const PosesOf<SplitCurve> few(hand.begin(), hand.begin() + static_cast<std::ptrdiff_t>(count));
+    for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::huber(), RobustLoss::cauchy()}) {
+      INFO(count << " poses");
+      const auto found = fit<SplitCurve>(few, {.loss = loss});
+      CHECK(found.converged);
+      CHECK(found.residuals.max < 0.01);
+      for (double t = 0; t <= found.spline.end(); t += 0.01) {
+        CHECK(found.spline.evaluate<2>(t).velocity.norm() < 2.5);
+      }
+    }
+  }
+  for (const std::size_t count : {2, 3, 10, 300}) {
+    PosesOf<SplitCurve> same;
+    for (std::size_t i = 0; i < count; ++i) same.push_back({0.01 * static_cast<double>(i), hand[7].value});
+    for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::cauchy()}) {
+      const auto found = fit<SplitCurve>(same, {.loss = loss});
+      CHECK(found.converged);
+      CHECK(found.residuals.max < 1e-12);
+      for (double t = 0; t <= found.spline.end(); t += 1e-3) {
+        CHECK(found.spline.evaluate<2>(t).acceleration.norm() < 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("Knots as far apart as the poses, or nearly, give a curve as good as any") {
+  // Of as many cubic pieces as poses, poses in the middle of every piece leave alternating control points undetermined:
+  // knots 1 % nearer together than poses went through that, and were off by 0.3 m and 1300 m/s².
+  const auto truth = fit<SplitCurve>(hand_poses(200, 3000, 0), {.knot_interval = 0.05});
+  for (const double noise : {0., 1e-3}) {
+    const auto poses = hand_poses(20, 300, noise);
+    for (const double share : {0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.999, 1., 1.01, 1.05, 1.15, 1.25, 1.33, 1.5}) {
+      for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::huber(), RobustLoss::cauchy()}) {
+        const auto found = fit<SplitCurve>(poses, {.knot_interval = share / 20, .loss = loss});
+        const auto off = differences(found.spline, truth.spline, 0.5, 14.45);
+        INFO("noise " << noise << ", knots " << share << " times as far apart: off by " << off.transpose());
+        CHECK(found.converged);
+        // Of noise: six components of up to 3.3 σ. Its differences are of 2 σ/0.05 s and 4 σ/(0.05 s)².
+        CHECK(off[0] < 1e-4 + 5 * noise);
+        CHECK(off[1] < 5e-3 + 5 * 2 * noise / 0.05);
+        CHECK(off[2] < 0.5 + 8 * 4 * noise / (0.05 * 0.05));
+        // At the ends, where the prior pulls accelerations towards zero: at most by the true one, 5.5.
+        CHECK(differences(found.spline, truth.spline, 0, 14.95)[2] < 5.5 + 8 * 4 * noise / (0.05 * 0.05));
+      }
+    }
+  }
 }

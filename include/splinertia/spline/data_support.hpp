@@ -70,4 +70,24 @@ template <typename Curve>
   return undetermined;
 }
 
+/// The control points, ascending, whose Order segments have at most 5/4 poses each. Though enough to determine them one
+/// by one, poses near the middle of every segment leave control points that alternate: of a cubic, 1 − 23 + 23 − 1.
+template <typename Curve>
+[[nodiscard]] std::vector<std::size_t> thinly_measured_control_points(const KnotsOf<Curve>& knots,
+                                                                      std::size_t control_points,
+                                                                      const PosesOf<Curve>& poses, const auto& counts) {
+  constexpr std::size_t order = Curve::order;
+  std::vector<typename Curve::Time> times;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (counts(i)) times.push_back(poses[i].time);
+  }
+  std::vector<std::size_t> thin;
+  for (std::size_t c = order - 1; c + order <= control_points; ++c) {
+    const auto from = std::lower_bound(times.begin(), times.end(), knots.knot(c + 1 - order, Curve::order));
+    const auto to = std::lower_bound(from, times.end(), knots.knot(c + 1, Curve::order));
+    if (4 * static_cast<std::size_t>(to - from) <= 5 * order) thin.push_back(c);
+  }
+  return thin;
+}
+
 }  // namespace splinertia

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <splinertia/spline/banded_system.hpp>
@@ -15,6 +16,7 @@
 #include <splinertia/spline/gap_bridges.hpp>
 #include <splinertia/spline/knots_over.hpp>
 #include <splinertia/spline/least_squares.hpp>
+#include <splinertia/spline/pose_statistics.hpp>
 #include <splinertia/spline/pose_term.hpp>
 #include <splinertia/spline/smoothness.hpp>
 #include <splinertia/spline/spline.hpp>
@@ -39,11 +41,13 @@ class FitProblem {
       : options_(std::move(options)), data_(fit_data<Curve>(poses, "fit")), fit_{first_curve()} {
     if (!options_.loss.is_squares()) leave_out_wrong_ends();
     const std::size_t control_points = fit_.spline.control_points().size();
-    const auto undetermined =
-        undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
+    const auto undetermined = undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
     fit_.knot_choice = choice_;
     fit_.held_control_points = undetermined.size();
-    spans_ = unmeasured_spans(fit_.spline, data_, counts(), undetermined);
+    const auto thin = thinly_measured_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
+    std::vector<std::size_t> weak;
+    std::set_union(undetermined.begin(), undetermined.end(), thin.begin(), thin.end(), std::back_inserter(weak));
+    spans_ = unmeasured_spans(fit_.spline, data_, counts(), weak);
     for (const auto& span : spans_) {
       if (span.is_gap) fit_.gaps.push_back({span.start, span.end});
     }
@@ -166,8 +170,11 @@ class FitProblem {
     // Rounding leaves that much; where a prior holds control points, its weight is at least the root of rounding.
     const Scalar share = spans_.empty() ? 64 * epsilon : sqrt(epsilon);
     const Scalar extent = extent_.maxCoeff();
-    return robust_deviation<Curve>(data_, fit_.spline, counts(), free_share_,
-                                   share * (extent > Scalar(0) ? extent : Scalar(1)));
+    const Tangent<G> found = robust_deviation<Curve>(data_, fit_.spline, counts(), free_share_,
+                                                     share * (extent > Scalar(0) ? extent : Scalar(1)));
+    // Of nearly as many control points as poses there are next to no residuals.
+    if (taken_share_ < Scalar(3) / Scalar(4) || data_.size() < 3) return found;
+    return found.cwiseMax(noise_of(data_));
   }
 
   FitOptions<Curve> options_;

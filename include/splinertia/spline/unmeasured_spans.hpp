@@ -25,10 +25,13 @@ struct MeasuredPart {
 
 /// The spans between poses that need something beside the poses to hold the curve. These are the gaps: longer than 1.5
 /// knot intervals (those beside the gap) and than 2.5 times the median interval of poses; and every interval that a
-/// control point shapes which the poses do not determine. `counts(i)` says whether pose i counts at all.
+/// control point shapes which the poses determine badly, `weak` in ascending order. `counts(i)` says whether pose i
+/// counts at all.
 template <typename Curve>
-[[nodiscard]] std::vector<UnmeasuredSpan<typename Curve::Time>> unmeasured_spans(
-    const Curve& curve, const PosesOf<Curve>& poses, const auto& counts, const std::vector<std::size_t>& undetermined) {
+[[nodiscard]] std::vector<UnmeasuredSpan<typename Curve::Time>> unmeasured_spans(const Curve& curve,
+                                                                                 const PosesOf<Curve>& poses,
+                                                                                 const auto& counts,
+                                                                                 const std::vector<std::size_t>& weak) {
   using Time = typename Curve::Time;
   constexpr int order = Curve::order;
   const auto& knots = curve.knots();
@@ -67,7 +70,7 @@ template <typename Curve>
   // A control point shapes Order segments. Where no gap is among them, poses are sparse all over.
   std::vector<bool> sparse(intervals.size(), false);
   const std::size_t segments = control_points - order + 1;
-  for (const std::size_t c : undetermined) {
+  for (const std::size_t c : weak) {
     const Time from = knots.knot(c + 1 < order ? 0 : c + 1 - order, order);
     const Time to = knots.knot(std::min(c + 1, segments), order);
     const auto ends_later = [](Time t, const auto& interval) { return t < interval.end; };
@@ -88,8 +91,8 @@ template <typename Curve>
 
 /// What is left of the curve between the spans, one part more than there are spans; a single pose has the length 0.
 template <typename Curve>
-[[nodiscard]] std::vector<MeasuredPart> measured_parts(
-    const Curve& curve, const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
+[[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
+                                                       const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
   const auto since_start = [&](auto time) { return seconds<double>(time - curve.start()); };
   std::vector<MeasuredPart> parts;
   double from = 0;
