@@ -164,8 +164,7 @@ TEST_CASE("The deviation of poses is estimated from the residuals") {
   // The median of 4000 magnitudes is good to 1.2/√4000 = 2 %.
   CHECK_THAT(fitted.standard_deviation[0], WithinRel(0.02, 0.06));
   CHECK(fitted.outliers.empty());
-  const auto given =
-      fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .hold_ends = false});
+  const auto given = fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .hold_ends = false});
   CHECK(given.standard_deviation[0] == 0.005);
   CHECK_FALSE(given.outliers.empty());                             // six of them are 1.5 true ones
   CHECK(largest_difference(fitted.spline, given.spline) < 1e-11);  // a factor of all squares changes nothing
@@ -254,11 +253,9 @@ TEST_CASE("A jump stays where it is") {
   const auto smooth = fit<SplitCurve>(ellipse_poses(200, 10), {.knot_interval = interval, .hold_ends = false});
   // Huber's loss is in the end the sum of magnitudes: both sides of the jump pull, and it takes a knot more to be done.
   const auto check = [&](const RobustLoss& loss, double reach) {
-    const auto fitted =
-        fit<SplitCurve>(poses, {.knot_interval = interval,
-                                .standard_deviation = Six::Constant(1e-4),
-                                .loss = loss,
-                                .hold_ends = false});
+    const auto fitted = fit<SplitCurve>(
+        poses,
+        {.knot_interval = interval, .standard_deviation = Six::Constant(1e-4), .loss = loss, .hold_ends = false});
     CHECK(fitted.converged);
     double beyond = 0, rotated = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -39,8 +39,7 @@ class FitProblem {
       : options_(std::move(options)), data_(fit_data<Curve>(poses, "fit")), fit_{first_curve()} {
     if (!options_.loss.is_squares()) leave_out_wrong_ends();
     const std::size_t control_points = fit_.spline.control_points().size();
-    const auto undetermined =
-        undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
+    const auto undetermined = undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
     fit_.knot_choice = choice_;
     fit_.held_control_points = undetermined.size();
     spans_ = unmeasured_spans(fit_.spline, data_, counts(), undetermined);

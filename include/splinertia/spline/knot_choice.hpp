@@ -51,8 +51,7 @@ template <LieGroup G, TimePoint Time>
     accelerations.push_back(n.acceleration.cwiseAbs2());
   }
   if (residuals.size() < 3) return std::nullopt;
-  const std::size_t left_out =
-      std::min(residuals.size() / 3, std::max(residuals.size() / 50, 2 * (reached / step)));
+  const std::size_t left_out = std::min(residuals.size() / 3, std::max(residuals.size() / 50, 2 * (reached / step)));
   const auto trimmed_mean = [left_out](const std::vector<Tangent<G>>& squares) {
     Tangent<G> mean;
     std::vector<Scalar> values(squares.size());
@@ -80,10 +79,10 @@ enum class KnotLimit {
 /// A knot interval for poses, and why.
 template <LieGroup G>
 struct KnotChoice {
-  double interval;         ///< s
+  double interval;  ///< s
   KnotLimit limit;
-  double pose_interval;    ///< s, the median
-  Tangent<G> noise;        ///< standard deviation of a pose, of each component (noise_of)
+  double pose_interval;  ///< s, the median
+  Tangent<G> noise;      ///< standard deviation of a pose, of each component (noise_of)
 };
 
 /// The longest interval that poses turn by less than 120° in, s; infinity if they do not turn. A single jump does not
@@ -120,7 +119,8 @@ template <LieGroup G, TimePoint Time>
       const double square = static_cast<double>(motion.residual_square[row]) - 1.944 * noise * noise;
       if (!(square > 0)) continue;
       const double fourth = 6 * std::sqrt(square);  // h⁴ |x⁗|
-      const double velocity_error = 5.75e-3 * fourth / h, noise_of_velocity = 1.5 * noise / (h * std::sqrt(poses_to_a_knot));
+      const double velocity_error = 5.75e-3 * fourth / h,
+                   noise_of_velocity = 1.5 * noise / (h * std::sqrt(poses_to_a_knot));
       const double acceleration_error = 0.0373 * fourth / (h * h);
       const double acceleration = std::sqrt(static_cast<double>(motion.acceleration_square[row]));
       if (velocity_error > noise_of_velocity && acceleration_error > 5e-4 * acceleration) return false;

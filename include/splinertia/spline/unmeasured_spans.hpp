@@ -88,8 +88,8 @@ template <typename Curve>
 
 /// What is left of the curve between the spans, one part more than there are spans; a single pose has the length 0.
 template <typename Curve>
-[[nodiscard]] std::vector<MeasuredPart> measured_parts(
-    const Curve& curve, const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
+[[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
+                                                       const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
   const auto since_start = [&](auto time) { return seconds<double>(time - curve.start()); };
   std::vector<MeasuredPart> parts;
   double from = 0;
