@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/formatted.hpp"
+
 using namespace splinertia;
 
 namespace {
@@ -66,8 +68,8 @@ void add_drift(Comparison& c, const Options& o) {
   }
   if (!all.empty()) add_rows(c.rows, "drift", all, "%", units::percent, "deg/m");
   if (!too_long.empty()) {
-    c.no_drift = message("no drift over", too_long, " m: the reference's path is ", reference_path(c.pairs).back(),
-                         " m long (--lengths)");
+    c.no_drift = formatted("no drift over%s m: the reference's path is %.4g m long (--lengths)", too_long.c_str(),
+                           reference_path(c.pairs).back());
   }
 }
 
