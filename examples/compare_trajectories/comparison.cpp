@@ -66,10 +66,15 @@ void add_drift(Comparison& c, const Options& o) {
     add_rows(c.rows, message("drift ", length, " m"), errors, "%", units::percent, "deg/m");
     all.insert(all.end(), errors.begin(), errors.end());
   }
-  if (!all.empty()) add_rows(c.rows, "drift", all, "%", units::percent, "deg/m");
+  const double path = reference_path(c.pairs).back();
+  if (all.empty()) {
+    c.no_drift = formatted("no drift: the reference's path of %.4g m is shorter than every length (--lengths)", path);
+    return;
+  }
+  add_rows(c.rows, "drift", all, "%", units::percent, "deg/m");
   if (!too_long.empty()) {
-    c.no_drift = formatted("no drift over%s m: the reference's path is %.4g m long (--lengths)", too_long.c_str(),
-                           reference_path(c.pairs).back());
+    c.no_drift =
+        formatted("no drift over%s m: the reference's path is %.4g m long (--lengths)", too_long.c_str(), path);
   }
 }
 
