@@ -79,8 +79,10 @@ class AngularSpeed {
   std::vector<Sophus::SO3d> attitudes_;
 };
 
-/// The straight line y = intercept + slope x of least squares through speeds of which both are known.
+/// The straight line y = intercept + slope x of least squares through speeds of which both are known. Speeds that vary
+/// by less than poses in files resolve are constant: nothing is correlated with them.
 struct SpeedRegression {
+  static constexpr double resolution = 1e-7;  // rad/s
   std::size_t count = 0;
   double slope = 0, intercept = 0, correlation = 0;
 
@@ -99,7 +101,8 @@ struct SpeedRegression {
       yy += (y[i] - mean_y) * (y[i] - mean_y);
       xy += (x[i] - mean_x) * (y[i] - mean_y);
     });
-    if (!(xx > 0 && yy > 0)) return;
+    const double least = static_cast<double>(count) * resolution * resolution;
+    if (!(xx > least && yy > least)) return;
     slope = xy / xx;
     intercept = mean_y - slope * mean_x;
     correlation = xy / std::sqrt(xx * yy);
