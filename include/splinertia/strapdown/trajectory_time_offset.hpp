@@ -41,6 +41,9 @@ namespace detail {
   return n * std::log(left(to) / left(from));
 }
 
+/// For messages.
+[[nodiscard]] inline double rounded(double x) { return std::round(1e4 * x) / 1e4; }
+
 /// The angular speeds of both trajectories on one grid, and what their correlation says of the offset.
 class OffsetSearch {
  public:
@@ -72,8 +75,8 @@ class OffsetSearch {
     const std::size_t most = *std::ranges::max_element(counts);
     if (most < 20 * 8) {
       return {{},
-              message("the angular speeds of both are known for ", static_cast<double>(most) * step_,
-                      " s at once, expected at least ", 20 * window_, " s")};
+              message("the angular speeds of both are known for ", rounded(static_cast<double>(most) * step_),
+                      " s at once, expected at least ", rounded(20 * window_), " s")};
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (2 * counts[i] < most) correlation[i] = 0;
@@ -130,8 +133,8 @@ class OffsetSearch {
       const double deviation = std::sqrt(variance * count / (count - 1)) / curvature;
       if (!(deviation <= window_ / 40)) {
         return {{},
-                message("noise hides it: the standard deviation is ", deviation,
-                        " s, expected at most 1/40 of the window of ", window_, " s")};
+                message("noise hides it: the standard deviation is ", rounded(deviation),
+                        " s, expected at most 1/40 of the window of ", rounded(window_), " s")};
       }
       return {{offset, deviation, here.correlation, window_}, ""};
     }
@@ -155,10 +158,10 @@ class OffsetSearch {
                                       double independent) const {
     const double most = correlation[static_cast<std::size_t>(best)];
     if (!(likelihood_drop(independent, most, 0) >= 25)) {
-      return message("the angular speeds of both are correlated by ", most, " at most, which may be chance");
+      return message("the angular speeds of both are correlated by ", rounded(most), " at most, which may be chance");
     }
     if (best == 0 || best == 2 * lags_) {
-      return message("the angular speeds agree best at the end of the range, ", offset(best), " s");
+      return message("the angular speeds agree best at the end of the range, ", rounded(offset(best)), " s");
     }
     for (const std::ptrdiff_t direction : {-1, 1}) {
       double valley = most;
@@ -166,7 +169,8 @@ class OffsetSearch {
         const double other = correlation[static_cast<std::size_t>(i)];
         valley = std::min(valley, other);
         if (likelihood_drop(independent, other, valley) >= 4 && likelihood_drop(independent, most, other) < 10) {
-          return message("the motion repeats itself: ", offset(best), " s and ", offset(i), " s agree about as well");
+          return message("the motion repeats itself: ", rounded(offset(best)), " s and ", rounded(offset(i)),
+                         " s agree about as well");
         }
       }
     }
