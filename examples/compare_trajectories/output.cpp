@@ -17,12 +17,15 @@ using namespace splinertia;
 
 namespace {
 
-void print_offset(const Comparison& c) {
-  if (c.time_offset == 0 && !c.estimated_offset) return;
-  std::printf("time offset: %.9g s added to the stamps of the estimate", c.time_offset);
-  if (const auto& found = c.estimated_offset) {
-    std::printf(", of which %.9g s +- %.2g s estimated from angular speeds over %g s, correlation %.4g", found->offset,
-                found->standard_deviation, found->window, found->correlation);
+void print_offset(const Comparison& c, const Options& o) {
+  const auto& found = c.estimated_offset;
+  if (c.time_offset == 0 && !found) return;
+  std::printf("time offset: %.9g s", c.time_offset);
+  if (found) std::printf(" +- %.2g s", found->standard_deviation);
+  std::printf(" added to the stamps of the estimate");
+  if (found && o.time_offset != 0) std::printf(", %.9g s given and %.9g s found", o.time_offset, found->offset);
+  if (found) {
+    std::printf("; from angular speeds over %.4g s, correlation %.4g", found->window, found->correlation);
   }
   std::puts("");
 }
@@ -47,7 +50,7 @@ class TemporaryFile {
 void print(const Comparison& c, std::size_t reference_poses, std::size_t estimate_poses, const Options& o) {
   std::printf("reference %s: %zu poses\nestimate  %s: %zu poses\n", o.reference.string().c_str(), reference_poses,
               o.estimate.string().c_str(), estimate_poses);
-  print_offset(c);
+  print_offset(c, o);
   std::printf("%zu pairs at most %g s apart\n", c.pairs.size(), o.max_difference);
   const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(c.transform.rotation) / units::degree;
   const Eigen::Vector3d& move = c.transform.translation;

@@ -83,10 +83,13 @@ def relative(pairs, i, j):
 
 def by_time(pairs, delta, every):
     """The pair whose time is nearest, to within a tenth."""
+    times = [pair[0] for pair in pairs]
     indices, i = [], 0
     while i + 1 < len(pairs):
-        j = min(range(i + 1, min(len(pairs), i + 1000)), key=lambda k: abs(pairs[k][0] - pairs[i][0] - delta * 10**9))
-        near = abs(pairs[j][0] - pairs[i][0] - delta * 10**9) <= delta * 10**8
+        k = bisect.bisect_left(times, times[i] + delta * 10**9)
+        j = min(range(max(i + 1, min(k - 1, len(pairs) - 1)), min(k + 1, len(pairs))) or [len(pairs) - 1],
+                key=lambda m: abs(times[m] - times[i] - delta * 10**9))
+        near = abs(times[j] - times[i] - delta * 10**9) <= delta * 10**8
         if near:
             indices.append((i, j))
         i = j if near and not every else i + 1

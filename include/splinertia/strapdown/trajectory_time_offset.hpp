@@ -109,9 +109,10 @@ class OffsetSearch {
 
   /// The offset of least squares near one. At the minimum the slopes of the blocks add up to zero: what is left of each
   /// is by chance, and tells the standard deviation. Where that is not far below the window, the minimum itself may be
-  /// one of noise.
+  /// one of noise. Differences are taken over h: wide enough for noise, and narrow enough for a curve that is no
+  /// parabola.
   [[nodiscard]] Result refined(double offset) const {
-    const double h = window_ / 4;
+    double h = window_ / 4;
     const std::size_t blocks = std::clamp(size() / 80, std::size_t{5}, std::size_t{50});
     for (int iteration = 0;; ++iteration) {
       const auto before = squares(offset - h, blocks), here = squares(offset, blocks),
@@ -124,13 +125,14 @@ class OffsetSearch {
         curvature += (next.blocks[i] - 2 * here.blocks[i] + before.blocks[i]) / (h * h);
       }
       if (!(curvature > 0)) return {{}, "the angular speeds have no sharp maximum of correlation"};
-      const double newton = std::clamp(-slope / curvature, -h, h);
-      if (std::abs(newton) > 1e-6 * h && iteration < 20) {
-        offset += newton;
+      const double newton = std::clamp(-slope / curvature, -h, h), count = static_cast<double>(blocks);
+      const double deviation = std::sqrt(variance * count / (count - 1)) / curvature;
+      const double enough = std::clamp(20 * deviation, window_ / 1000, window_ / 4);
+      offset += newton;
+      if (iteration < 20 && (std::abs(newton) > 1e-6 * window_ || enough < h / 2)) {
+        if (std::abs(newton) < h / 10) h = std::min(h, enough);
         continue;
       }
-      const double count = static_cast<double>(blocks);
-      const double deviation = std::sqrt(variance * count / (count - 1)) / curvature;
       if (!(deviation <= window_ / 40)) {
         return {{},
                 message("noise hides it: the standard deviation is ", rounded(deviation),
