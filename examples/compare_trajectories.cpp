@@ -14,6 +14,7 @@
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
+#include "support/finished_output.hpp"
 #include "support/python_script.hpp"
 
 using namespace splinertia;
@@ -135,5 +136,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "compare_trajectories: %s\n", error.what());
     return 2;
   }
-  return 0;
+  return finished_output("compare_trajectories");
 }

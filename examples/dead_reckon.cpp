@@ -20,6 +20,7 @@
 #include "dead_reckon/options.hpp"
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
+#include "support/finished_output.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -261,5 +262,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "dead_reckon: %s\n", error.what());
     return 2;
   }
-  return 0;
+  return finished_output("dead_reckon");
 }
