@@ -5,11 +5,11 @@
     fit_trajectory poses.tum --imu imu.csv --output FOLDER
     plot_fit.py FOLDER               # reads its files; needs matplotlib
 """
-import argparse
 import os
-import pathlib
 import re
-import sys
+
+import plotting
+from plotting import Failure
 
 RESIDUALS = ("#timestamp [ns],rotation_x [rad],rotation_y [rad],rotation_z [rad],position_x [m],position_y [m],"
              "position_z [m],outlier")
@@ -19,14 +19,9 @@ DERIVED = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [ra
 SAMPLES = ("#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x [m/s^2],accel_y [m/s^2],"
            "accel_z [m/s^2],gyro_residual_x [rad/s],gyro_residual_y [rad/s],gyro_residual_z [rad/s],"
            "accel_residual_x [m/s^2],accel_residual_y [m/s^2],accel_residual_z [m/s^2]")
-# Okabe and Ito's colours, which look different to everybody; those of the axes, and of what is wrong.
-COLOURS = ["#0072B2", "#E69F00", "#009E73"]
-OUTLIER = "#D55E00"
+COLOURS = [plotting.BLUE, plotting.ORANGE, plotting.GREEN]  # of the axes
+OUTLIER = plotting.RED
 MOST_POINTS = 1600  # that a line has room for
-
-
-class Failure(Exception):
-    """One line about what is wrong, where, and what was expected."""
 
 
 def read(path, header):
@@ -277,35 +272,5 @@ def draw(folder):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=pathlib.Path, help="that fit_trajectory has written to, where the pictures go")
-    parser.add_argument("--output", default="fit", metavar="NAME", help="of the pictures, without .png (%(default)s)")
-    arguments = parser.parse_args()
-    try:
-        try:
-            import matplotlib
-        except ImportError:
-            raise Failure("needs the Python package matplotlib (pip install matplotlib)") from None
-        matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
-        figure = draw(arguments.folder)
-        for form in "png", "svg":
-            picture = arguments.folder / f"{arguments.output}.{form}"
-            temporary = picture.with_name(f".{picture.name}.tmp")
-            try:
-                figure.savefig(temporary, format=form, metadata={"Date": None} if form == "svg" else None)
-                os.replace(temporary, picture)
-            finally:
-                temporary.unlink(missing_ok=True)
-    except Failure as failure:
-        problem = str(failure)
-    except OSError as error:
-        problem = f"{error.filename}: {error.strerror}"
-    else:
-        return
-    print(f"plot_fit.py: {problem}", file=sys.stderr)
-    sys.exit(2)
-
-
 if __name__ == "__main__":
-    main()
+    plotting.run_on_folder(__doc__, "that fit_trajectory has written to, where the pictures go", "fit", draw)
