@@ -35,7 +35,7 @@ void plot(const Options& o) {
 }
 
 void run(const Options& o) {
-  const Poses poses = read_trajectory(o.trajectory);
+  const Poses poses = read_trajectory(o.trajectory).poses;
   if (poses.size() < 2) {
     throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least 2"));
   }

@@ -261,7 +261,7 @@ void simulate_poses(const Poses& poses, const Options& o) {
 }
 
 void simulate_file(const Options& o) {
-  const Poses poses = read_trajectory(o.trajectory);
+  const Poses poses = read_trajectory(o.trajectory).poses;
   if (poses.size() < static_cast<std::size_t>(o.order)) {
     throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least ", o.order,
                                      ", the order of the spline"));
