@@ -134,16 +134,10 @@ class ColumnReader {
   int time_digits_ = 0;
 };
 
-bool is_bag(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto ending = path.extension();
-  return ending == ".bag" || ending == ".mcap" || ending == ".db3" || std::filesystem::is_directory(path, ignored);
-}
-
 Columns read_columns(const std::filesystem::path& path, const ImuLogOptions& options) {
   Columns columns;
   std::optional<Progress> progress;
-  if (is_bag(path)) {
+  if (is_ros_bag(path)) {
     if (options.rate || !options.columns.empty() || options.time_unit) {
       throw std::invalid_argument(message(path.string(), ": a ROS bag, expected no --rate, --columns and --time-unit"));
     }
