@@ -36,7 +36,6 @@ void plot(const Options& o) {
 void run(const Options& o) {
   const TrajectoryInput input{o.trajectory, o.input.format, o.input.topic};
   const TrajectoryFile file = read_trajectory_input(input);
-  std::fputs(note_lines(input, file).c_str(), stdout);
   const Poses& poses = file.poses;
   if (poses.size() < 2) {
     throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least 2"));
@@ -51,6 +50,7 @@ void run(const Options& o) {
   const std::string text = report(poses, samples.size(), fitted, o);
   const std::vector<std::string> names = write_files(fitted, text, o);
   std::fputs(text.c_str(), stdout);
+  std::fputs(note_lines(input, file).c_str(), stdout);
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {
     list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];

@@ -149,7 +149,7 @@ run(0 "reference .*reference.tum: 60 poses\nestimate  .*estimate.tum: 51 poses\n
 run(0 "60 pairs .*ATE translation .m  .    60          0          0 .*RPE rotation    .deg.    59          0 " "${out}/reference.tum" "${out}/reference.tum")
 run(0 "51 pairs" ${files} --max-difference 0.0125)
 run(0 "Usage:.*--align.*--max-difference.*--delta.*--all-pairs.*--csv" --help)
-file(WRITE "${out}/a.csv" "1403715524907143168,0,0,0,1,0,0,0\n1403715524912143168,1,0,0,1,0,0,0\n1403715524917143168,1,1,0,1,0,0,0\n")
+file(WRITE "${out}/a.csv" "#t,x,y,z,qw,qx,qy,qz\n1403715524907143168,0,0,0,1,0,0,0\n1403715524912143168,1,0,0,1,0,0,0\n1403715524917143168,1,1,0,1,0,0,0\n")
 file(WRITE "${out}/b.tum" "1403715524.907143168 0 0 1 0 0 0 1\n1403715524.912143168 1 0 1 0 0 0 1\n1403715524.917143168 1 1 1 0 0 0 1\n")
 run(0 "3 pairs at most 0 s .*ATE translation .m  .     3          1          1          1          0          1          1          3\n" "${out}/a.csv" "${out}/b.tum" --max-difference 0)
 run(0 "translation .0 0 -1. m, scale 1\n.*ATE translation .m  .     3          0 " "${out}/a.csv" "${out}/b.tum" --align origin)

@@ -59,9 +59,9 @@ class TrajectoryHead {
     if (rows.empty()) file.fail("no rows, expected the poses of a trajectory");
     std::map<std::size_t, std::size_t> counts;
     for (const NumberedLine& row : rows) ++counts[row_fields(row.text).size()];
-    columns = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
-                return a.second < b.second;
-              })->first;
+    for (const auto& [count, number] : counts) {  // in doubt the larger: rows are cut off more often than added to
+      if (columns == 0 || number >= counts[columns]) columns = count;
+    }
     for (const NumberedLine& row : rows) {
       if (row_fields(row.text).size() == columns) typical_rows.push_back(row_fields(row.text));
     }
