@@ -179,7 +179,7 @@ file(WRITE "${out}/one.tum" "1.0 0 0 0 0 0 0 1\n")
 refuse("one.tum: expected three poses in a row" "${out}/ideal/imu.csv" "${out}/one.tum")
 without("${out}/ideal/groundtruth.csv" "^4" "${out}/broken.csv")
 file(APPEND "${out}/broken.csv" "30000000000,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,x\n")
-refuse("broken.csv:[0-9]+: \"x\" is .*b_a_RS_S_z" "${out}/ideal/imu.csv" "${out}/broken.csv")
+refuse("broken.csv:[0-9]+: \"x\" is .*baz in column 17" "${out}/ideal/imu.csv" "${out}/broken.csv")
 run(2 "no/table.csv: .*No such file" ${ideal} --csv "${out}/no/table.csv")
 
 # A real IMU, an ADIS16448 in the machine hall.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
 #include <functional>
 #include <splinertia/io/trajectory.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "io/temporary_directory.hpp"
 #include "io/trajectory_text.hpp"

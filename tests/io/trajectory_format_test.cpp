@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <filesystem>
 #include <splinertia/io/trajectory_format.hpp>
 
 #include <splinertia/io/trajectory.hpp>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstddef>
 #include <splinertia/io/trajectory.hpp>
 
 #include <sys/wait.h>
@@ -9,6 +11,8 @@
 #include <splinertia/io/tum.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/temporary_directory.hpp"

@@ -11,11 +11,13 @@
 #include <optional>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/detail/trajectory_columns.hpp>
 #include <splinertia/io/detail/trajectory_head.hpp>
 #include <splinertia/io/detail/trajectory_layout.hpp>
 #include <splinertia/io/detail/trajectory_row.hpp>
 #include <splinertia/io/detail/trajectory_stamps.hpp>
 #include <splinertia/io/detail/trajectory_table.hpp>
+#include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory_format.hpp>
 #include <splinertia/message.hpp>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <splinertia/io/detail/trajectory_header.hpp>
@@ -12,6 +11,7 @@
 #include <splinertia/io/text_file.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace splinertia::detail {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
 #include <span>
@@ -102,10 +103,11 @@ struct StampSample {
   return static_cast<std::uint64_t>(b.count()) - static_cast<std::uint64_t>(a.count());
 }
 
-/// Indices of the fewest stamps to leave out such that the rest increases; of equal stamps the first is kept.
+/// Indices of the fewest stamps to leave out such that the rest increases. Earlier stamps are kept where either may be.
 [[nodiscard]] inline std::vector<std::size_t> out_of_order(std::span<const std::chrono::nanoseconds> times) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> ends, before(times.size(), none);  // of the best increasing choice of each length
+  std::size_t kept = none;                                    // the first end of the longest
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto place =
         std::partition_point(ends.begin(), ends.end(), [&](std::size_t k) { return times[k] < times[i]; });
@@ -113,12 +115,12 @@ struct StampSample {
     if (place != ends.begin()) before[i] = *(place - 1);
     if (place == ends.end()) {
       ends.push_back(i);
+      kept = i;
     } else {
       *place = i;
     }
   }
   std::vector<std::size_t> left_out;
-  std::size_t kept = ends.empty() ? none : ends.back();
   for (std::size_t i = times.size(); i-- > 0;) {
     if (i == kept) {
       kept = before[i];
