@@ -104,6 +104,11 @@ TEST_CASE("columns that a header names otherwise are passed over, texts as well"
                            row.substr(19);
                   }};
   CHECK(test::near_all(folder.read(ros).poses, test::dressed_poses()));
+  const Dress index{.header = ",timestamp,x,y,z,qx,qy,qz,qw",
+                    .separator = ",",
+                    .unit = ns,
+                    .edit = [](const std::string& row, int i) { return std::to_string(i) + "," + row; }};
+  CHECK(test::near_all(folder.read(index).poses, test::dressed_poses()));
   const Dress covariance{.header = "# timestamp(s) tx ty tz qx qy qz qw Pr11 Pr12 Pr13 Pr22 Pr23 Pr33"};
   CHECK(test::near_all(folder.read(covariance).poses, test::dressed_poses()));
 }
@@ -229,7 +234,7 @@ TEST_CASE("formats are told by their shape") {
   CHECK(file.gyro_biases.empty());
   CHECK(test::notes(file, "VINS odometry assumed"));
   CHECK(folder.error_in("1,2,3\n4,5,6\n") ==
-        ":1: 3 columns without names are no trajectory that is recognised; say what they are by --columns, or --format "
+        ":1: 3 columns without names: no trajectory that is recognised; say what they are by --columns, or --format "
         "(tum, "
         "euroc, kitti, vins, openvins, rpg, tartanair)");
   CHECK(has(folder.error_in(Dress{.tail = " 1"}), ":1: 9 columns without names"));

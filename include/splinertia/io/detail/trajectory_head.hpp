@@ -99,13 +99,16 @@ class TrajectoryHead {
   std::optional<NumberedLine> unclear_header;  // a line without numbers or # that names no poses
 
  private:
-  /// Whether no field is a number, nor begins as one, nor is one that is lost.
+  /// Whether no field is a number, nor begins as one, nor is one that is lost. Some may be empty.
   [[nodiscard]] static bool has_no_number(std::string_view line) {
     const auto fields = row_fields(line);
-    return std::none_of(fields.begin(), fields.end(), [](std::string_view field) {
-      return field.empty() || std::string_view("+-.0123456789").find(field.front()) != std::string_view::npos ||
-             is_lost_number(field);
-    });
+    const auto is_empty = [](std::string_view field) { return field.empty(); };
+    return !std::all_of(fields.begin(), fields.end(), is_empty) &&
+           std::none_of(fields.begin(), fields.end(), [](std::string_view field) {
+             return (!field.empty() &&
+                     std::string_view("+-.0123456789").find(field.front()) != std::string_view::npos) ||
+                    is_lost_number(field);
+           });
   }
 
   void add_header(const TextFile& file) {

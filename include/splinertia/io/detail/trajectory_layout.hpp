@@ -156,7 +156,7 @@ class LayoutChoice {
         names += message(names.empty() ? "" : ", ", known.name);
       }
       fail(head_.columns, head_.columns == 1 ? " column" : " columns",
-           " without names are no trajectory that is recognised; say what they are by --columns, or --format (", names,
+           " without names: no trajectory that is recognised; say what they are by --columns, or --format (", names,
            ')');
     }
   }
