@@ -5,37 +5,50 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <splinertia/finite.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
 #include "support/finished_output.hpp"
 #include "support/python_script.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 
 namespace {
 
-Poses read(const std::filesystem::path& path) { return read_trajectory(path); }
+Poses read(const TrajectoryInput& input) {
+  TrajectoryFile file = read_trajectory_input(input);
+  std::fputs(note_lines(input, file).c_str(), stdout);
+  return std::move(file.poses);
+}
 
-void run(const Options& o) {
+/// False if there is no plot, and the script has said why.
+[[nodiscard]] bool run(const Options& o) {
   const Poses reference = read(o.reference), estimate = read(o.estimate);
   const Comparison comparison = compare(reference, estimate, o);
   print(comparison, reference.size(), estimate.size(), o);
   if (!o.csv.empty()) write_table(o.csv, comparison);
   if (!o.errors.empty()) write_errors(o.errors, comparison);
-  if (!o.plot.empty()) plot(comparison, o);
+  if (o.plot.empty()) return true;
+  try {
+    plot(comparison, o);
+  } catch (const ScriptFailed&) {
+    return false;
+  }
+  return true;
 }
 
 void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
-  app.add_option("reference", o.reference, "TUM or EuRoC trajectory, recognised by its content")->required();
-  app.add_option("estimate", o.estimate, "the same, to be compared with it")->required();
+  app.add_option("reference", o.reference.file, "trajectory file or ROS bag")->required();
+  app.add_option("estimate", o.estimate.file, "the same, to be compared with it")->required();
+  add_trajectory_options(app, o.reference, nullptr, "reference");
+  add_trajectory_options(app, o.estimate, nullptr, "estimate");
 
   const char* const time = "Time";
   app.add_option("--max-difference", o.max_difference, "between the times of a pair [s]")
@@ -127,11 +140,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     check(options);
-    run(options);
+    if (!run(options)) return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const ScriptFailed&) {  // it has said why
-    return 1;
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "compare_trajectories: %s\n", error.what());
     return 2;

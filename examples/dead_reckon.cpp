@@ -21,6 +21,8 @@
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
 #include "support/finished_output.hpp"
+#include "support/python_script.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -109,7 +111,7 @@ Row reckon(const Inputs& in, double window, const Options& o) {
     const auto span = [](nanoseconds from, nanoseconds to) { return message(from.count(), " to ", to.count(), " ns"); };
     throw std::runtime_error(message("no window of ", window, " s in which both files have data: ", o.imu.string(),
                                      " is from ", span(samples.front().time, samples.back().time), ", ",
-                                     o.trajectory.string(), " from ",
+                                     o.trajectory.file.string(), " from ",
                                      span(in.truth.rows.front().state.time, in.truth.rows.back().state.time)));
   }
   return row;
@@ -164,16 +166,17 @@ void print_table(const std::vector<Row>& rows) {
 void run(const Options& o) {
   Inputs in{read_euroc_imu(o.imu), read_truth(o), {}};
   const auto& [samples, truth, used] = in;
-  in.setup = setup(o, truth.with_states);
+  in.setup = setup(o, truth.with_biases);
+  std::fputs(truth.notes.c_str(), stdout);
   std::printf("%s: %zu samples over %g s\n%s: %zu %s over %g s\n", o.imu.string().c_str(), samples.size(),
-              seconds<double>(samples.back().time - samples.front().time), o.trajectory.string().c_str(),
-              truth.rows.size(), truth.with_states ? "states" : "poses between others",
+              seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
+              truth.rows.size(), truth.with_velocities ? "states" : "poses between others",
               seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
   std::vector<Row> rows;
   for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(in, window, o));
 
   std::printf("%s, velocities %s, %s\n%s\n", o.scheme.c_str(),
-              truth.with_states ? "of the trajectory file" : "from its poses", bias_text(used).c_str(),
+              truth.with_velocities ? "of the trajectory file" : "from its poses", bias_text(used).c_str(),
               mounting_text(used).c_str());
   print_table(rows);
   for (const Row& row : rows) {
@@ -218,8 +221,9 @@ void add_vector(CLI::App& app, const char* name, std::optional<Eigen::Vector3d>&
 
 CLI::Option* add_options(CLI::App& app, Options& o) {
   app.add_option("imu", o.imu, "EuRoC IMU samples: ns wx wy wz ax ay az, commas or blanks between")->required();
-  app.add_option("trajectory", o.trajectory, "EuRoC ground truth or TUM poses of the IMU, or of the body it is on")
+  app.add_option("trajectory", o.trajectory.file, "trajectory of the IMU, or of the body it is on: a file or a ROS bag")
       ->required();
+  add_trajectory_options(app, o.trajectory);
   app.add_option("--scheme", o.scheme, "integration scheme")->check(CLI::IsMember(schemes))->capture_default_str();
   app.add_option("--windows", o.windows, "lengths [s]")->capture_default_str();
   app.add_option("--calibration", o.calibration,
@@ -258,6 +262,8 @@ int main(int argc, char** argv) {
     run(options);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const ScriptFailed&) {  // it has said why
+    return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "dead_reckon: %s\n", error.what());
     return 2;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <string>
@@ -35,7 +34,9 @@ void plot(const Options& o) {
 }
 
 void run(const Options& o) {
-  const Poses poses = read_trajectory(o.trajectory);
+  const TrajectoryInput input{o.trajectory, o.input.format, o.input.topic};
+  const TrajectoryFile file = read_trajectory_input(input);
+  const Poses& poses = file.poses;
   if (poses.size() < 2) {
     throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least 2"));
   }
@@ -49,6 +50,7 @@ void run(const Options& o) {
   const std::string text = report(poses, samples.size(), fitted, o);
   const std::vector<std::string> names = write_files(fitted, text, o);
   std::fputs(text.c_str(), stdout);
+  std::fputs(note_lines(input, file).c_str(), stdout);
   std::string list;
   for (std::size_t i = 0; i < names.size(); ++i) {
     list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
@@ -59,7 +61,8 @@ void run(const Options& o) {
 
 void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
-  app.add_option("trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content")->required();
+  app.add_option("trajectory", o.trajectory, "trajectory of any format below, or a ROS bag")->required();
+  add_trajectory_options(app, o.input);
   app.add_option("--order", o.order, "of the spline: degree + 1")->check(CLI::Range(4, 6))->capture_default_str();
   app.add_option("--group", o.group, "split is SO(3) x R^3, se3 is SE(3)")
       ->check(CLI::IsMember({"split", "se3"}))

@@ -12,7 +12,6 @@
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc.hpp>
 #include <splinertia/io/npy_imu.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/io/tum.hpp>
 #include <splinertia/splinertia.hpp>
 #include <string>
@@ -23,6 +22,7 @@
 #include "support/kalibr.hpp"
 #include "support/progress.hpp"
 #include "support/trajectory_fit.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -31,6 +31,7 @@ namespace {
 
 struct Options {
   std::filesystem::path trajectory;  // empty: an analytic motion
+  TrajectoryInput input;             // how to read it
   std::string motion = "ellipse";
   double duration = 20;
   std::optional<double> rate;  // default: that of the Kalibr file, else 200
@@ -261,7 +262,10 @@ void simulate_poses(const Poses& poses, const Options& o) {
 }
 
 void simulate_file(const Options& o) {
-  const Poses poses = read_trajectory(o.trajectory);
+  const TrajectoryInput input{o.trajectory, o.input.format, o.input.topic};
+  const TrajectoryFile file = read_trajectory_input(input);
+  std::fputs(note_lines(input, file).c_str(), stdout);
+  const Poses& poses = file.poses;
   if (poses.size() < static_cast<std::size_t>(o.order)) {
     throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least ", o.order,
                                      ", the order of the spline"));
@@ -293,7 +297,7 @@ void simulate_analytic(const Options& o) {
 /// Adds the options to the command line. CLI11 checks what is a matter of form; the library checks the values.
 void add_options(CLI::App& app, Options& o) {
   auto* trajectory = app.add_option(
-      "trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content; without it an analytic motion");
+      "trajectory", o.trajectory, "trajectory of any format below, or a ROS bag; without it an analytic motion");
   app.add_option("--motion", o.motion, "analytic motion")
       ->check(CLI::IsMember({"ellipse", "circle", "coning", "rest"}))
       ->excludes(trajectory)
@@ -328,6 +332,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--knot-interval", o.knot_interval,
                  "of that spline [s]; default: 0.05, or where poses are sparse two of their intervals")
       ->needs(trajectory);
+  add_trajectory_options(app, o.input, trajectory);
   app.add_option("-o,--output", o.output,
                  "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM) and imu.yaml (Kalibr)")
       ->capture_default_str();

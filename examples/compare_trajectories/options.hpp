@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "support/trajectory_input.hpp"
+
 /// What the command line says.
 struct Options {
-  std::filesystem::path reference, estimate;
+  TrajectoryInput reference, estimate;
 
   double max_difference = 0.01;  // s
   double time_offset = 0;        // s, added to the estimate's stamps

@@ -48,8 +48,8 @@ class TemporaryFile {
 }  // namespace
 
 void print(const Comparison& c, std::size_t reference_poses, std::size_t estimate_poses, const Options& o) {
-  std::printf("reference %s: %zu poses\nestimate  %s: %zu poses\n", o.reference.string().c_str(), reference_poses,
-              o.estimate.string().c_str(), estimate_poses);
+  std::printf("reference %s: %zu poses\nestimate  %s: %zu poses\n", o.reference.file.string().c_str(), reference_poses,
+              o.estimate.file.string().c_str(), estimate_poses);
   print_offset(c, o);
   std::printf("%zu pairs at most %g s apart\n", c.pairs.size(), o.max_difference);
   const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(c.transform.rotation) / units::degree;
@@ -121,7 +121,7 @@ void plot(const Comparison& c, const Options& o) {
   const TemporaryFile errors;
   write_errors(errors.path, c);
   const std::string title =
-      message(o.estimate.filename().string(), " against ", o.reference.filename().string(), ", aligned: ", o.align);
+      message(o.estimate.file.filename().string(), " against ", o.reference.file.filename().string(), ", aligned: ", o.align);
   PythonScript(o.python, "plot_comparison.py", {errors.path.string(), o.plot.string(), "--title", title},
                PythonScript::Output::shared)
       .finish();

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "support/gravity_option.hpp"
+#include "support/trajectory_input.hpp"
 
 /// What the command line says.
 struct Options {
-  std::filesystem::path imu, trajectory, csv;
+  std::filesystem::path imu, csv;
+  TrajectoryInput trajectory;
   std::string scheme = "midpoint";
   std::vector<double> windows{1, 5, 10};  // s
   double longest_gap = 0.1;               // s

@@ -2,30 +2,32 @@
 #include "dead_reckon/truth.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <splinertia/io/euroc.hpp>
-#include <splinertia/io/text_file.hpp>
+#include <cstddef>
 #include <splinertia/io/trajectory.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
-#include <string_view>
+#include <vector>
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
 namespace {
 
-TrueStates states_of(const std::vector<EurocState>& states) {
-  TrueStates result{{}, true};
-  for (const EurocState& s : states) {
-    result.rows.push_back({{rotation(s.pose), s.velocity, position(s.pose), s.time}, {s.gyro_bias, s.accel_bias}});
+TrueStates states_of(const TrajectoryFile& file) {
+  const bool with_biases = !file.gyro_biases.empty() && !file.accel_biases.empty();
+  TrueStates result{{}, true, with_biases, {}};
+  for (std::size_t i = 0; i < file.poses.size(); ++i) {
+    const auto& [time, pose] = file.poses[i];
+    const ImuBias<double> bias =
+        with_biases ? ImuBias<double>{file.gyro_biases[i], file.accel_biases[i]} : ImuBias<double>{};
+    result.rows.push_back({{rotation(pose), file.velocities[i], position(pose), time}, bias});
   }
   return result;
 }
 
 /// Velocities are those of the parabola through a pose and its neighbours; a pose without two near ones is left out.
 TrueStates states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double longest_gap) {
-  TrueStates result{{}, false};
+  TrueStates result{{}, false, false, {}};
   for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
     const auto& [t0, x0] = poses[i - 1];
     const auto& [t1, x1] = poses[i];
@@ -38,22 +40,14 @@ TrueStates states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double l
   return result;
 }
 
-/// Whether every row of a EuRoC file has velocities and biases: readers see to it that all are of one length.
-bool has_states(const std::filesystem::path& path) {
-  TextFile file(path);
-  std::vector<std::string_view> fields;
-  if (file.next()) split_fields(file.line(), fields);
-  return fields.size() == euroc_groundtruth_columns.size();
-}
-
 }  // namespace
 
 TrueStates read_truth(const Options& o) {
-  const bool euroc = recognize_trajectory(o.trajectory) == TrajectoryFormat::euroc;
-  const TrueStates truth = euroc && has_states(o.trajectory) ? states_of(read_euroc_groundtruth(o.trajectory))
-                                                             : states_of(read_trajectory(o.trajectory), o.longest_gap);
+  const TrajectoryFile file = read_trajectory_input(o.trajectory);
+  TrueStates truth = file.velocities.empty() ? states_of(file.poses, o.longest_gap) : states_of(file);
+  truth.notes = note_lines(o.trajectory, file);
   if (truth.rows.empty()) {
-    throw std::runtime_error(message(o.trajectory.string(), ": expected three poses in a row that are at most ",
+    throw std::runtime_error(message(o.trajectory.file.string(), ": expected three poses in a row that are at most ",
                                      o.longest_gap, " s apart, to have a velocity (--longest-gap)"));
   }
   return truth;

@@ -7,6 +7,7 @@
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/strapdown/bias_jacobians.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
+#include <string>
 #include <vector>
 
 #include "dead_reckon/options.hpp"
@@ -22,7 +23,8 @@ struct Truth {
 /// What a trajectory file says, in the order of time.
 struct TrueStates {
   std::vector<Truth> rows;
-  bool with_states;  // velocities and biases are in the file, else velocities are from its poses, biases unknown
+  bool with_velocities, with_biases;  // of the file; else velocities are from its poses, and biases unknown
+  std::string notes;                  // on how the file was read
 };
 
 /// Throws std::runtime_error if the file does not give a single state.

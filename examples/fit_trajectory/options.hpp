@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "support/trajectory_input.hpp"
+
 /// What the command line says.
 struct Options {
   std::filesystem::path trajectory;
+  TrajectoryInput input;  // how to read it
   int order = 4;
   std::string group = "split";
 

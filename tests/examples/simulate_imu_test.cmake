@@ -202,7 +202,7 @@ refuse("none.tum: .*[Nn]o such file" "${out}/none.tum")
 refuse_file(": no rows, expected" empty.tum "")
 refuse_file(":2: .*column" columns.tum "1.0 ${pose}\n1.1 0 0 0\n")
 refuse_file(":2: .*nan" nan.tum "1.0 ${pose}\n1.1 nan 0 0 0 0 0 1\n")
-refuse_file(":3: time 1.1 follows 1.1, expected increasing" stamps.tum "1.0 ${pose}\n1.1 ${pose}\n1.1 ${pose}\n")
+refuse_file(":3: time 1.1 s follows 1.1 s in line 2, expected increasing" stamps.tum "1.0 ${pose}\n1.1 ${pose}\n1.1 ${pose}\n")
 refuse_file(":2: quaternion .*norm 0" zero.tum "1.0 ${pose}\n1.1 0 0 0 0 0 0 0\n")
 refuse_file(": 3 poses, expected at least 4" few.tum "1.0 ${pose}\n1.1 ${pose}\n1.2 ${pose}\n")
 refuse_file(": fit: 4 poses for 5 control points, expected at least as many" short.tum "1.0 ${pose}\n1.1 ${pose}\n1.15 ${pose}\n1.2 ${pose}\n"
