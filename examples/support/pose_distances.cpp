@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "support/trajectory_fit.hpp"
+#include "support/pose_distances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <splinertia/time.hpp>
 
@@ -10,28 +11,40 @@
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 3);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 4);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 5);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 6);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 3);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 4);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 5);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 6);
+namespace {
 
-double default_knot_interval(const Poses& poses) {
-  std::vector<nanoseconds> intervals;
-  for (std::size_t i = 1; i < poses.size(); ++i) intervals.push_back(poses[i].time - poses[i - 1].time);
-  if (intervals.empty()) return 0.05;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return std::max(0.05, 2 * seconds<double>(*middle));
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
+
+}  // namespace
 
 nanoseconds longest_interval(const Poses& poses) {
   nanoseconds longest{0};
   for (std::size_t i = 1; i < poses.size(); ++i) longest = std::max(longest, poses[i].time - poses[i - 1].time);
   return longest;
+}
+
+nanoseconds median_interval(const Poses& poses) {
+  std::vector<nanoseconds> intervals;
+  for (std::size_t i = 1; i < poses.size(); ++i) intervals.push_back(poses[i].time - poses[i - 1].time);
+  if (intervals.empty()) return nanoseconds{0};
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
+PoseDistances distances(const Poses& curve, const Poses& poses) {
+  PoseDistances result;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto &pose = poses[i].value, &value = curve[i].value;
+    result.rotation.push_back(increment(rotation(pose), rotation(value)));
+    result.position.push_back(position(value) - position(pose));
+  }
+  return result;
 }
 
 Lengths lengths(const std::vector<Eigen::Vector3d>& vectors, const std::vector<std::size_t>& but) {
@@ -89,18 +102,22 @@ std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& 
   return lines;
 }
 
-std::vector<std::string> gap_lines(const Poses& poses, const std::vector<Gap>& gaps, std::size_t most) {
-  std::vector<std::string> lines;
-  for (const Gap& gap : gaps) {
-    if (lines.size() == most) {
-      lines.push_back(formatted("and %zu more", gaps.size() - most));
-      break;
+PoseNoise pose_noise(const Poses& poses) {
+  // A turn from pose to pose is a first difference already.
+  constexpr std::array<double, 7> sixth{1, -6, 15, -20, 15, -6, 1};
+  constexpr std::array<double, 6> fifth{-1, 5, -10, 10, -5, 1};
+  std::vector<double> rotations, positions;
+  for (std::size_t i = 0; i + sixth.size() <= poses.size(); ++i) {
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero(), way = Eigen::Vector3d::Zero();
+    for (std::size_t j = 0; j < sixth.size(); ++j) way += sixth[j] * position(poses[i + j].value);
+    for (std::size_t j = 0; j < fifth.size(); ++j) {
+      turn += fifth[j] * increment(rotation(poses[i + j].value), rotation(poses[i + j + 1].value));
     }
-    const auto since_first = [&](nanoseconds time) { return seconds<double>(time - poses.front().time); };
-    lines.push_back(formatted("%.3f - %.3f s: ", since_first(gap.start), since_first(gap.end)) +
-                    (gap.first_control_point == gap.last_control_point
-                         ? formatted("control point %zu", gap.first_control_point)
-                         : formatted("control points %zu to %zu", gap.first_control_point, gap.last_control_point)));
+    for (int axis = 0; axis < 3; ++axis) {
+      rotations.push_back(std::abs(turn[axis]));
+      positions.push_back(std::abs(way[axis]));
+    }
   }
-  return lines;
+  const double scale = 1.4826 / std::sqrt(924.0);
+  return {scale * median(rotations), scale * median(positions)};
 }
