@@ -78,12 +78,10 @@ class Run {
   }
 
   void finish() {
-    if (left_out() == samples_) {
-      throw std::runtime_error(message("all ", samples_,
-                                       " samples are inside holes, where there are no poses; "
-                                       "--keep-holes keeps them"));
+    if (written_ == 0) {
+      throw std::runtime_error(message("none of ", samples_, " samples is left: ", dropped_, " dropped, ", left_out(),
+                                       " in holes without poses (--keep-holes keeps these)"));
     }
-    if (written_ == 0) throw std::runtime_error("every sample was dropped, expected some for the files");
     if (table_csv_) write_table();
     const std::string names = output_.commit();
     if (table_csv_) table_csv_->commit();

@@ -94,9 +94,6 @@ std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted,
     file.append(EurocImu{reading.time, reading.gyro, reading.accel});
   }
   if (fitted.holes.empty()) return "";
-  if (invented == readings.size()) {
-    throw std::runtime_error(message("all ", invented, " readings are inside holes; --keep-holes keeps them"));
-  }
   return formatted("%zu of %zu readings are inside holes and %s\n", invented, readings.size(),
                    o.keep_holes ? "invented; comments in derived_imu.csv mark them"
                                 : "left out of derived_imu.csv; --keep-holes keeps them");

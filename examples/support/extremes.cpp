@@ -86,7 +86,7 @@ nanoseconds knot_interval(const FittedTrajectory& fitted) {
 }
 
 std::string cell(const Peak& peak, nanoseconds first) {
-  if (!(peak.value > 0)) return "         -          -";
+  if (peak.value < 0) return "         -          -";
   return formatted(" %9.4g %10.3f", peak.value, seconds<double>(peak.time - first));
 }
 
@@ -131,9 +131,11 @@ std::string extremes_text(const Extremes& found, nanoseconds first) {
 
 std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTrajectory& fitted) {
   std::vector<std::string> lines;
-  const auto compare = [&](const char* what, const char* unit, const Peak Peaks::*which, double noise) {
+  constexpr double nothing = 1e-3;  // rad/s, m/s^2: what no IMU shows is not worth a warning
+  const auto compare = [&](const char* what, const char* unit, const Peak Peaks::*which, double noise_of_differences) {
+    const double noise = std::max(noise_of_differences, nothing);
     const double curve = (found.measured.*which).value, differences = (found.differences.*which).value;
-    if (differences > 0 && curve > factor * differences) {
+    if (differences >= 0 && curve > factor * differences + noise) {
       lines.push_back(
           formatted("the curve's largest %s is %.3g times that of the poses' differences (%.3g for %.3g %s, "
                     "factor %g allowed): the curve swings where poses hardly hold it",
@@ -146,7 +148,7 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
                     what, differences, unit, curve, factor));
     }
     const double invented = found.invented ? ((*found.invented).*which).value : 0;
-    if (invented > factor * std::max(curve, differences)) {
+    if (invented > factor * std::max(curve, differences) + noise) {
       lines.push_back(
           formatted("inside holes the largest %s is %.3g %s, outside %.3g (factor %g allowed): do not use "
                     "what is inside",
@@ -160,7 +162,7 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
   const double residual = lengths(fitted.distances.rotation, fitted.outliers).rms;
   const double missing = residual / seconds<double>(knot_interval(fitted));
   const double noise = std::sqrt(3.0) * found.noise.rotation;
-  if (noise > 0 && residual > 3 * noise && missing > 0.01 * found.measured.gyro.value) {
+  if (noise > 0 && residual > 3 * noise && missing > std::max(nothing, 0.01 * found.measured.gyro.value)) {
     lines.push_back(
         formatted("the rotations are %.2g rad off (rms), %.2g times their noise: the knots are too far apart "
                   "for parts of the motion",

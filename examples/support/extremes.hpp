@@ -12,7 +12,7 @@
 #include "support/fitted_trajectory.hpp"
 
 struct Peak {
-  double value = 0;
+  double value = -1;  // < 0: there was nothing to take the largest of
   std::chrono::nanoseconds time{};
 };
 
@@ -24,7 +24,7 @@ struct Peaks {
 struct Extremes {
   Peaks measured;                   // of the curve, outside of holes
   std::optional<Peaks> invented;    // of the curve inside holes
-  Peaks differences;                // of the poses; 0 where there are too few
+  Peaks differences;                // of the poses
   std::chrono::nanoseconds window;  // of the second differences: to the pose before, and to that behind
   PoseNoise noise;
   double gyro_noise, accel_noise;  // the largest differences that this noise alone makes, about

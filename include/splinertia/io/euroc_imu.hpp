@@ -37,9 +37,8 @@ inline constexpr TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
 /// The samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with file:line
 /// for the first thing wrong (StampedTable).
 [[nodiscard]] inline std::vector<EurocImu> read_euroc_imu(const std::filesystem::path& path) {
-  return read_stamped_table(path, euroc_imu_layout, [](const StampedTable& row) {
-    return EurocImu{row.time(), row.vector(1), row.vector(4)};
-  });
+  return read_stamped_table(path, euroc_imu_layout,
+                            [](const StampedTable& row) { return EurocImu{row.time(), row.vector(1), row.vector(4)}; });
 }
 
 /// Writes a EuRoC IMU file sample by sample, in constant memory; the file appears with commit() and reads back to the
