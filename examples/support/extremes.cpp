@@ -85,6 +85,14 @@ nanoseconds knot_interval(const FittedTrajectory& fitted) {
   return (fitted.curve.end() - fitted.curve.start()) / segments;
 }
 
+/// Second differences of `noise` over so long a window have at most about 2 m/s² of it. Shorter ones than a knot
+/// interval of the usual length show what glitches of single poses do.
+nanoseconds window_of(const PoseNoise& noise, nanoseconds usual, nanoseconds knot_interval) {
+  constexpr double most = 2;
+  const double quiet = std::sqrt(largest_of_many * std::sqrt(6.0) * noise.position / most);
+  return std::max({usual, after(nanoseconds(0), quiet), std::min(knot_interval, nanoseconds(50'000'000))});
+}
+
 std::string cell(const Peak& peak, nanoseconds first) {
   if (peak.value < 0) return "         -          -";
   return formatted(" %9.4g %10.3f", peak.value, seconds<double>(peak.time - first));
@@ -97,12 +105,12 @@ Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eige
   if (!fitted.holes.empty()) result.invented.emplace();
   peaks_of_curve(fitted, gravity, rate, result);
   const nanoseconds usual = median_interval(poses);
-  result.window = std::max(knot_interval(fitted), usual);
+  result.noise = pose_noise(poses);
+  result.window = window_of(result.noise, usual, knot_interval(fitted));
   for (const Poses& stretch : stretches(poses, fitted)) {
     peak_of_turns(stretch, usual / 2, result.differences.gyro);
     peak_of_second_differences(stretch, result.window, gravity, result.differences.accel);
   }
-  result.noise = pose_noise(poses);
   const double window = seconds<double>(result.window);
   result.gyro_noise = largest_of_many * std::sqrt(2.0) * result.noise.rotation / seconds<double>(usual);
   result.accel_noise = largest_of_many * std::sqrt(6.0) * result.noise.position / (window * window);
@@ -164,9 +172,9 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
   const double noise = std::sqrt(3.0) * found.noise.rotation;
   if (noise > 0 && residual > 3 * noise && missing > std::max(nothing, 0.01 * found.measured.gyro.value)) {
     lines.push_back(
-        formatted("the rotations are %.2g rad off (rms), %.2g times their noise: the knots are too far apart "
-                  "for parts of the motion",
-                  residual, residual / noise));
+        formatted("the rotations are %.2g rad off (rms), far above their noise of %.2g rad: the knots are too "
+                  "far apart for parts of the motion",
+                  residual, noise));
   }
   return lines;
 }

@@ -32,8 +32,8 @@ struct Extremes {
 
 /// The curve is evaluated `rate` times a second, and at least 4 times in each segment. The differences are those of
 ///   |ω|: neighbouring poses, their turn over their interval;
-///   |f|: positions at t − window, t, t + window, the second difference minus gravity; the window is about as long as a
-///        knot interval.
+///   |f|: positions at t − window, t, t + window, the second difference minus gravity. The window is at least a knot
+///        interval, or 0.05 s where that is longer, and so long that noise makes at most about 2 m/s².
 /// Outliers and poses on both sides of a hole make none.
 [[nodiscard]] Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eigen::Vector3d& gravity,
                                 double rate);

@@ -106,7 +106,7 @@ PoseNoise pose_noise(const Poses& poses) {
   // A turn from pose to pose is a first difference already.
   constexpr std::array<double, 7> sixth{1, -6, 15, -20, 15, -6, 1};
   constexpr std::array<double, 6> fifth{-1, 5, -10, 10, -5, 1};
-  std::vector<double> rotations, positions;
+  std::array<std::vector<double>, 3> rotations, positions;  // of each axis
   for (std::size_t i = 0; i + sixth.size() <= poses.size(); ++i) {
     Eigen::Vector3d turn = Eigen::Vector3d::Zero(), way = Eigen::Vector3d::Zero();
     for (std::size_t j = 0; j < sixth.size(); ++j) way += sixth[j] * position(poses[i + j].value);
@@ -114,10 +114,12 @@ PoseNoise pose_noise(const Poses& poses) {
       turn += fifth[j] * increment(rotation(poses[i + j].value), rotation(poses[i + j + 1].value));
     }
     for (int axis = 0; axis < 3; ++axis) {
-      rotations.push_back(std::abs(turn[axis]));
-      positions.push_back(std::abs(way[axis]));
+      rotations[static_cast<std::size_t>(axis)].push_back(std::abs(turn[axis]));
+      positions[static_cast<std::size_t>(axis)].push_back(std::abs(way[axis]));
     }
   }
-  const double scale = 1.4826 / std::sqrt(924.0);
-  return {scale * median(rotations), scale * median(positions)};
+  const auto noisiest = [](std::array<std::vector<double>, 3>& axes) {
+    return 1.4826 / std::sqrt(924.0) * std::max({median(axes[0]), median(axes[1]), median(axes[2])});
+  };
+  return {noisiest(rotations), noisiest(positions)};
 }

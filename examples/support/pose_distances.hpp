@@ -36,9 +36,9 @@ struct Lengths {
 [[nodiscard]] std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& distances,
                                                      const std::vector<std::size_t>& outliers, std::size_t most);
 
-/// Standard deviations of the noise of poses, of each axis. They are found in sixth differences, of which a motion that
-/// is smooth over seven poses has nearly none: 1.4826 times the median magnitude, for the standard deviation sqrt(924)
-/// that white noise of one has. 0 for fewer than 7 poses.
+/// Standard deviations of the noise of poses on the noisiest axis. They are found in sixth differences, of which a
+/// motion that is smooth over seven poses has nearly none: 1.4826 times the median magnitude, over the standard
+/// deviation sqrt(924) that white noise of one has. 0 for fewer than 7 poses.
 struct PoseNoise {
   double rotation = 0, position = 0;  // rad, m
 };
