@@ -124,7 +124,9 @@ TEMPLATE_TEST_CASE("Without noise, a spline and the calibration are found exactl
   const auto truth = spline_along_motion<G>();
   const Run<G> run(1, truth, 0);
   const auto exact = testing::some_imu();
-  const auto fit = inertial_fit<Curve<G>>(run.poses, run.samples, pose_options<Curve<G>>(), imu_options());
+  auto options = pose_options<Curve<G>>();
+  options.hold_ends = false;  // the prior believes the deviation that is given, and these poses have none
+  const auto fit = inertial_fit<Curve<G>>(run.poses, run.samples, options, imu_options());
   CHECK(fit.converged);
   CHECK(fit.imu.converged);
   CHECK(difference(fit.imu.calibration, exact).cwiseAbs().maxCoeff() < 1e-9);

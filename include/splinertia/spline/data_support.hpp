@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/fit_options.hpp>
 #include <utility>
@@ -69,32 +68,6 @@ template <typename Curve>
     if (!near[i] || !matched[i]) undetermined.push_back(i);
   }
   return undetermined;
-}
-
-/// The same as gaps between poses.
-template <typename Curve>
-[[nodiscard]] std::vector<FitGap<typename Curve::Time>> gaps_between(const PosesOf<Curve>& poses, const Curve& curve,
-                                                                     const std::vector<std::size_t>& undetermined) {
-  using Time = typename Curve::Time;
-  std::vector<FitGap<Time>> gaps;
-  for (const std::size_t i : undetermined) {
-    if (!gaps.empty() && gaps.back().last_control_point + 1 == i) {
-      gaps.back().last_control_point = i;
-    } else {
-      gaps.push_back({i, i, {}, {}});
-    }
-  }
-  const auto later = [](Time time, const auto& pose) { return time < pose.time; };
-  for (auto& gap : gaps) {
-    const auto time_of = [&](std::size_t i) {
-      return std::clamp(curve.knots().control_point_time(i, Curve::order), curve.start(), curve.end());
-    };
-    const auto before = std::upper_bound(poses.begin(), poses.end(), time_of(gap.first_control_point), later);
-    gap.start = before == poses.begin() ? curve.start() : std::prev(before)->time;
-    const auto behind = std::upper_bound(before, poses.end(), time_of(gap.last_control_point), later);
-    gap.end = behind == poses.end() ? curve.end() : behind->time;
-  }
-  return gaps;
 }
 
 }  // namespace splinertia

@@ -2,6 +2,9 @@
 /// Least squares on the manifold: the spline that lies nearest to stamped poses.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <ranges>
 #include <splinertia/spline/fit_data.hpp>
 #include <splinertia/spline/fit_options.hpp>
 #include <splinertia/spline/fit_problem.hpp>
@@ -24,15 +27,46 @@ namespace splinertia {
 /// nanoseconds for seconds and the other way round. The sign of a quaternion does not matter.
 ///
 /// Throws std::invalid_argument for fewer than two poses, poses that are not finite, not on their group, or not in
-/// ascending order of time; options that make no sense; and fewer poses than control points without smoothness. Where
-/// there are enough, but not everywhere, Fit::gaps says where and what was done.
+/// ascending order of time; and options that make no sense. Where there are too few poses, Fit::gaps and
+/// Fit::held_control_points say so.
 template <typename Curve, StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
-[[nodiscard]] Fit<Curve> fit(const Poses& poses, const FitOptions<Curve>& options) {
-  FitProblem<Curve> problem(poses, options);
-  problem.solve();
-  Curve curve = problem.curve();
-  return std::move(problem).report(std::move(curve));
+[[nodiscard]] Fit<Curve> fit(const Poses& poses, const FitOptions<Curve>& options = {}) {
+  const auto fit_once = [&](const FitOptions<Curve>& with) {
+    FitProblem<Curve> problem(poses, with);
+    problem.solve();
+    Curve curve = problem.curve();
+    return std::move(problem).report(std::move(curve));
+  };
+  Fit<Curve> result = fit_once(options);
+  if (!result.knot_choice) return result;
+  // The choice is made before the curve is known. Where the curve then turns too far from one control point to the
+  // next, or leaves out more poses than chance does, knots nearer together are tried.
+  const auto turns_too_far = [](const Fit<Curve>& fit) {
+    const auto& increments = fit.spline.increments();
+    return std::any_of(increments.begin(), increments.end(), [](const auto& d) {
+      return static_cast<double>(TurnAngle<typename Curve::Group>::of(d)) > largest_turn;
+    });
+  };
+  const auto outliers = [](const Fit<Curve>& fit) { return fit.outliers.size(); };
+  const std::size_t few = std::ranges::size(poses) / 50;
+  for (int tries = 0; tries < 4; ++tries) {
+    const bool turns = turns_too_far(result);
+    if (!turns && (outliers(result) <= few || result.knot_choice->limit == KnotLimit::poses)) break;
+    FitOptions<Curve> closer = options;
+    KnotChoice<typename Curve::Group> choice = *result.knot_choice;
+    choice.interval *= 0.7;
+    choice.limit = turns ? KnotLimit::turn : KnotLimit::motion;
+    closer.knot_interval = choice.interval;
+    Fit<Curve> next = fit_once(closer);
+    if (turns ? !turns_too_far(next) || next.converged : next.converged && 2 * outliers(next) < outliers(result)) {
+      next.knot_choice = choice;
+      result = std::move(next);
+    } else {
+      break;
+    }
+  }
+  return result;
 }
 
 }  // namespace splinertia

@@ -6,6 +6,7 @@
 #include <optional>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/spline/knot_choice.hpp>
 #include <splinertia/spline/robust_loss.hpp>
 #include <type_traits>
 #include <utility>
@@ -30,7 +31,8 @@ struct Smoothness {
   Tangent<G> density;  ///< of each component, > 0: m/s²/√Hz and rad/s²/√Hz, or m/s³/√Hz and rad/s³/√Hz
 };
 
-/// How fit() does its work. `knot_interval` or `knots` has to be given.
+/// How fit() does its work. Without `knot_interval` and `knots` the interval is chosen from the rate, the noise and the
+/// motion of the poses: choose_knot_interval().
 template <typename Curve>
 struct FitOptions {
   using Group = typename Curve::Group;
@@ -51,6 +53,10 @@ struct FitOptions {
   /// A pose with a component further than so many standard deviations off is reported as an outlier.
   double outlier_limit = 6;
   int most_iterations = 100;
+  /// Whether a weak prior holds the outermost Order − 2 segments at either end, where one wrong pose bends the curve as
+  /// it likes: accelerations up to five times those of the rest, noise included, are believed. Without it, and without
+  /// gaps, fit() is least squares (or the loss) and nothing else.
+  bool hold_ends = true;
 };
 
 /// How far the curve is from the poses.
@@ -65,11 +71,9 @@ struct FitResiduals {
   Scalar max;                     ///< of the same
 };
 
-/// Control points that the data do not determine, and where.
+/// A span without poses, long beside the knots and beside the usual interval of poses. The curve within is invented.
 template <typename Time>
 struct FitGap {
-  std::size_t first_control_point;
-  std::size_t last_control_point;
   Time start;  ///< of the last pose before the gap, or of the curve
   Time end;    ///< of the first pose behind it, or of the curve
 };
@@ -80,6 +84,7 @@ struct Fit {
   using Scalar = typename Curve::Scalar;
 
   Curve spline;
+  std::optional<KnotChoice<Group>> knot_choice{};  ///< where the options left the knots open
   FitResiduals<Group> residuals{};
   /// Of a pose: as given, or else as the residuals have it: 1.4826 times the median of their magnitudes, for the share
   /// of the data that the control points do not take.
@@ -87,13 +92,11 @@ struct Fit {
   /// Poses that are further off than outlier_limit standard deviations. They still count as the loss has it, which is
   /// next to nothing with RobustLoss::cauchy().
   std::vector<std::size_t> outliers{};
-  /// Where the data do not hold the knots. There the curve takes the way of least acceleration from one side to the
-  /// other (or what `smoothness` asks for), which depends on nothing that was measured.
+  /// Where no poses are. There the curve takes the way of least acceleration from one side to the other (or what
+  /// `smoothness` asks for), which nothing measured: a velocity or acceleration within a gap is not data.
   std::vector<FitGap<typename Curve::Time>> gaps{};
-  /// Whether the ends of a curve on uniform knots had to be held, since the noise of the poses would have bent them
-  /// beyond any rotation: from order 5 on, with few poses for a knot. NonUniformKnots with Order knots at each end do
-  /// not need it.
-  bool ends_held = false;
+  /// How many control points the poses alone do not determine.
+  std::size_t held_control_points = 0;
   int iterations = 0;      ///< linear systems solved
   bool converged = false;  ///< else most_iterations came first, or nothing lowered the cost any more
   Scalar condition{};      ///< of the normal equations scaled to ones on the diagonal, an estimate from below

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/spline/fit_options.hpp>
@@ -50,19 +49,17 @@ template <LieGroup G, typename Time>
 }
 
 /// The standard deviation of each component of a pose, however many poses are outliers: the median of |residual|, times
-/// 1.4826 as for normal noise, over the root of the share of the data that the control points leave free. At least what
-/// rounding leaves of `extent`.
+/// 1.4826 as for normal noise, over the root of the share of the data that the control points leave free. At least
+/// `least`.
 template <typename Curve>
 [[nodiscard]] Tangent<typename Curve::Group> robust_deviation(const PosesOf<Curve>& data, const Curve& curve,
                                                               const auto& counts,
                                                               const typename Curve::Scalar& free_share,
-                                                              const typename Curve::Scalar& extent) {
+                                                              const typename Curve::Scalar& least) {
   using std::abs;
   using std::sqrt;
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
-  constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  const Scalar least = 64 * epsilon * (extent > Scalar(0) ? extent : Scalar(1));
   const FitResiduals<G> residuals = residuals_of(data, curve, counts);
   Tangent<G> deviation;
   std::vector<Scalar> magnitudes;

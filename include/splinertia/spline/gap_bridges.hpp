@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
+/// What holds a curve where poses do not: a prior on its second derivative, as strong as the motion beside says.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
-#include <splinertia/spline/fit_options.hpp>
+#include <splinertia/spline/acceleration_density.hpp>
 #include <splinertia/spline/smoothness.hpp>
+#include <splinertia/spline/unmeasured_spans.hpp>
 #include <splinertia/time.hpp>
+#include <utility>
 #include <vector>
 
 namespace splinertia {
@@ -25,50 +29,114 @@ struct SmoothnessTerms {
   }
 };
 
-/// Adds what keeps segments first … last from bending where the poses do not say how: the least acceleration (velocity,
-/// of order 2). Beside a pose it weighs as if acceleration times interval² were known to be 0 to so many standard
-/// deviations of a pose: thousands are nothing where there are poses, and all where there are none.
+/// Makes the terms that hold a curve where poses do not, and something else does not either.
 template <typename Curve>
-void hold(SmoothnessTerms<Curve>& terms, const Curve& curve, const Tangent<typename Curve::Group>& standard_deviation,
-          std::size_t first, std::size_t last, const typename Curve::Scalar& deviations) {
-  using std::sqrt;
+class GapBridges {
+ public:
+  using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
-  constexpr int derivative = Curve::order > 2 ? 2 : 1;
-  const auto& knots = curve.knots();
-  const Scalar length = seconds<Scalar>(knots.knot(last + 1, Curve::order) - knots.knot(first, Curve::order)) /
-                        static_cast<Scalar>(last + 1 - first);
-  if (!(length > Scalar(0))) return;
-  const Scalar unit = derivative == 2 ? length * sqrt(length) : sqrt(length);
-  terms.terms.emplace_back(derivative, deviations * standard_deviation / unit, first, last);
-}
+  using Time = typename Curve::Time;
 
-/// Holds the segments that the control points in gaps shape.
-template <typename Curve>
-void bridge(SmoothnessTerms<Curve>& terms, const Curve& curve, const Tangent<typename Curve::Group>& standard_deviation,
-            const std::vector<FitGap<typename Curve::Time>>& gaps) {
-  using std::sqrt;
-  using Scalar = typename Curve::Scalar;
-  constexpr std::size_t reach = Curve::order - 1;
-  // Its square beside that of a pose is the root of the rounding.
-  const Scalar deviations = Scalar(1) / sqrt(sqrt(std::numeric_limits<Scalar>::epsilon()));
-  std::size_t next = 0;
-  for (const auto& gap : gaps) {
-    const std::size_t first = std::max(next, gap.first_control_point < reach ? 0 : gap.first_control_point - reach);
-    const std::size_t last = std::min(gap.last_control_point, curve.segments() - 1);
-    if (first > last) continue;
-    next = last + 1;
-    hold(terms, curve, standard_deviation, first, last, deviations);
+  /// `noise` is the standard deviation of a pose, `unit` that by which the residuals of poses are divided, and
+  /// `share` that of the data which the control points take: the variance of a value of the curve over that of a
+  /// pose. `others` are the times, ascending, of other measurements that hold the curve. Keeps curve, spans and others
+  /// by reference.
+  GapBridges(const Curve& curve, const std::vector<UnmeasuredSpan<Time>>& spans, const Tangent<G>& noise,
+             const Tangent<G>& unit, const Scalar& share, const std::vector<Time>& others)
+      : curve_(curve),
+        spans_(spans),
+        parts_(measured_parts(curve, spans)),
+        noise_(noise),
+        unit_(unit),
+        density_(curve, noise * sqrt_of(share)),
+        others_(others) {}
+
+  [[nodiscard]] SmoothnessTerms<Curve> terms(bool with_ends) {
+    for (std::size_t i = 0; i < spans_.size(); ++i) bridge(i);
+    if (with_ends) hold_ends();
+    return std::move(terms_);
   }
-}
 
-/// Holds the outermost Order − 2 segments at either end.
-template <typename Curve>
-void hold_ends(SmoothnessTerms<Curve>& terms, const Curve& curve,
-               const Tangent<typename Curve::Group>& standard_deviation) {
-  using Scalar = typename Curve::Scalar;
-  const std::size_t last = curve.segments() - 1, reach = std::min<std::size_t>(Curve::order - 3, last);
-  hold(terms, curve, standard_deviation, 0, reach, Scalar(10));
-  hold(terms, curve, standard_deviation, last - reach, last, Scalar(10));
-}
+ private:
+  static constexpr int derivative = Curve::order > 2 ? 2 : 1;
+
+  [[nodiscard]] static Scalar sqrt_of(const Scalar& value) {
+    using std::sqrt;
+    return sqrt(value);
+  }
+
+  /// Span i: as the motion on both sides has it.
+  void bridge(std::size_t i) {
+    const auto& span = spans_[i];
+    const double length = seconds<double>(span.end - span.start);
+    const auto before = static_cast<std::ptrdiff_t>(i);
+    hold({anchors_beside(parts_, before, -1, length, span.knot_interval),
+          anchors_beside(parts_, before + 1, 1, length, span.knot_interval)},
+         span.start, span.end, span.knot_interval, true);
+  }
+
+  /// The outermost Order − 2 segments, where a single pose bends the curve as it likes: accelerations up to five times
+  /// those of the rest, noise included, are believed.
+  void hold_ends() {
+    const auto& knots = curve_.knots();
+    const std::size_t segments = curve_.segments(), reach = Curve::order > 2 ? Curve::order - 2 : 1;
+    if (segments < 4 * reach) return;
+    hold_end(curve_.start(), knots.knot(reach, Curve::order), 1);
+    hold_end(knots.knot(segments - reach, Curve::order), curve_.end(), -1);
+  }
+
+  void hold_end(Time from, Time to, int direction) {
+    const double knot_interval = seconds<double>(to - from) / (Curve::order > 2 ? Curve::order - 2 : 1);
+    const double edge = seconds<double>((direction > 0 ? to : from) - curve_.start());
+    // The measured parts from the held end on.
+    std::vector<MeasuredPart> inner;
+    for (const MeasuredPart& part : parts_) {
+      const MeasuredPart rest = direction > 0 ? MeasuredPart{std::max(part.start, edge), part.end}
+                                              : MeasuredPart{part.start, std::min(part.end, edge)};
+      if (rest.start <= rest.end) inner.push_back(rest);
+    }
+    if (inner.empty() || !(knot_interval > 0)) return;
+    const std::ptrdiff_t first = direction > 0 ? 0 : std::ssize(inner) - 1;
+    hold({anchors_beside(inner, first, direction, knot_interval, knot_interval), {}}, from, to, knot_interval, false);
+  }
+
+  /// Adds the prior over [from, to] where other measurements are further apart than 1.5 knot intervals: as it is where
+  /// it is needed, and five times as wide where poses hold the curve, too.
+  void hold(const Anchors& anchors, Time from, Time to, double knot_interval, bool needed) {
+    const Scalar amplitude = needed ? Scalar(1) : Scalar(5);
+    const auto length = seconds<Scalar>(to - from);
+    // Where nothing is beside the span: a motion within it that the noise could hide.
+    const Scalar unseen = derivative == 2 ? 9 / (length * length * length) : 4 / length;
+    const Tangent<G> density = density_.around(anchors).value_or(unseen * noise_.cwiseAbs2());
+    Tangent<G> root = amplitude * density.cwiseSqrt().cwiseQuotient(noise_);
+    if (needed) {
+      // Beside a pose the prior weighs at least as the root of the rounding, or the equations would be singular.
+      const auto interval = static_cast<Scalar>(knot_interval);
+      const Scalar weakest = Scalar(1) / sqrt_of(sqrt_of(std::numeric_limits<Scalar>::epsilon())) /
+                             (derivative == 2 ? interval * sqrt_of(interval) : sqrt_of(interval));
+      root = root.cwiseMin(weakest).eval();
+    }
+    root = root.cwiseProduct(unit_).eval();
+    const auto add = [&](Time first, Time last, double least) {
+      if (seconds<double>(last - first) > least) terms_.terms.emplace_back(derivative, root, first, last);
+    };
+    auto other = std::upper_bound(others_.begin(), others_.end(), from);
+    if (other == others_.end() || *other >= to) return add(from, to, 0);
+    Time before = from;
+    for (; other != others_.end() && *other < to; ++other) {
+      add(before, *other, 1.5 * knot_interval);
+      before = *other;
+    }
+    add(before, to, 1.5 * knot_interval);
+  }
+
+  const Curve& curve_;
+  const std::vector<UnmeasuredSpan<Time>>& spans_;
+  std::vector<MeasuredPart> parts_;
+  Tangent<G> noise_, unit_;
+  AccelerationDensity<Curve> density_;
+  const std::vector<Time>& others_;
+  SmoothnessTerms<Curve> terms_;
+};
 
 }  // namespace splinertia

@@ -27,8 +27,8 @@ void check(const FitOptions<Curve>& options, std::size_t poses) {
     return positive;
   };
   if (poses < 2) throw std::invalid_argument(message("fit: ", poses, " poses, expected at least 2"));
-  if (options.knots.has_value() == options.knot_interval.has_value()) {
-    throw std::invalid_argument("fit: expected either knot_interval or knots, and not both");
+  if (options.knots && options.knot_interval) {
+    throw std::invalid_argument("fit: expected knot_interval or knots, and not both");
   }
   if (options.knot_interval) require_positive("fit", "knot_interval", *options.knot_interval);
   if (options.standard_deviation && !all_positive(*options.standard_deviation)) {

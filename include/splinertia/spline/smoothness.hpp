@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,7 +12,7 @@
 
 namespace splinertia {
 
-/// ∫ |x⁽ᵈ⁾/density|² dt over some segments of a curve as squares to minimise; d = 2 or 3, of order 2: 1. Exact for Rⁿ.
+/// ∫ |x⁽ᵈ⁾/density|² dt over a span of a curve as squares to minimise; d = 2 or 3, of order 2: 1. Exact for Rⁿ.
 /// On other groups the third derivative is that of the polynomial through the second at the nodes of a segment, as good
 /// as the spline's own approximation.
 template <typename Curve>
@@ -21,10 +22,12 @@ class SmoothnessTerm {
   using Scalar = typename Curve::Scalar;
   static constexpr int order = Curve::order;
 
-  /// Requires derivative 1 of order 2, else 2 or 3 (3 from order 4 on), and positive densities. Segments
-  /// first … last count.
-  SmoothnessTerm(int derivative, const Tangent<G>& density, std::size_t first, std::size_t last)
-      : derivative_(derivative), inverse_density_(density.cwiseInverse()), first_(first), last_(last) {}
+  using Time = typename Curve::Time;
+
+  /// Requires derivative 1 of order 2, else 2 or 3 (3 from order 4 on), positive densities, and a span within the
+  /// curve.
+  SmoothnessTerm(int derivative, const Tangent<G>& density, Time from, Time to)
+      : derivative_(derivative), inverse_density_(density.cwiseInverse()), from_(from), to_(to) {}
 
   template <typename System>
   Scalar add(const Curve& curve, System& system) const {
@@ -43,8 +46,12 @@ class SmoothnessTerm {
     constexpr std::size_t nodes = order - D;
     static const Quadrature<Scalar, nodes> quadrature;
     Scalar cost(0);
-    for (std::size_t s = first_; s <= last_; ++s) {
-      const auto start = curve.knots().knot(s, order), end = curve.knots().knot(s + 1, order);
+    const auto segment = [&](Time t) {
+      return curve.knots().template basis<double, order, 0>(t, curve.control_points().size()).first;
+    };
+    for (std::size_t s = segment(from_), last = segment(to_); s <= last; ++s) {
+      const Time start = std::max(from_, curve.knots().knot(s, order));
+      const Time end = std::min(to_, curve.knots().knot(s + 1, order));
       const Scalar length = seconds<Scalar>(end - start);
       if (!(length > Scalar(0))) continue;
       std::array<Tangent<G>, nodes> value;
@@ -79,7 +86,7 @@ class SmoothnessTerm {
 
   int derivative_;
   Tangent<G> inverse_density_;
-  std::size_t first_, last_;
+  Time from_, to_;
 };
 
 }  // namespace splinertia

@@ -11,6 +11,7 @@
 #include <splinertia/strapdown/inertial_term.hpp>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace splinertia {
 
@@ -165,19 +166,29 @@ template <typename Curve>
 ///                                                        .accel_standard_deviation = 0.1});
 ///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
 ///
-/// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Throws std::invalid_argument for
-/// bad samples or options, and if none of the samples is within the curve.
+/// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Samples inside the `gaps` of the
+/// curve do not count: nothing measured the curve there. Throws std::invalid_argument for bad samples or options, and
+/// if none of the samples is within the curve and outside its gaps.
 template <typename Curve, std::ranges::forward_range Samples>
   requires Pose<typename Curve::Group>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
-    const Curve& curve, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options) {
-  const InertialTerm<Curve> term(samples, options, curve);
+    const Curve& curve, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options,
+    const std::vector<FitGap<typename Curve::Time>>& gaps = {}) {
+  const InertialTerm<Curve> term(samples, options, curve, gaps);
   InertialSystem<Curve> system(0);
   BandedCholesky<InertialSystem<Curve>> factor;
   auto calibration = options.calibration;
   const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
                                 inertial_convergence<typename Curve::Scalar>(term.size(), 100));
   return calibrated_imu(term, curve, calibration, system, factor, minimum);
+}
+
+/// The same of a curve that was fitted to poses: samples inside its gaps do not count.
+template <typename Curve, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
+    const Fit<Curve>& fit, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options) {
+  return calibrate_imu(fit.spline, samples, options, fit.gaps);
 }
 
 /// The spline nearest to poses and to the samples of an IMU at once, each by its standard deviation, and the IMU's
@@ -198,11 +209,11 @@ template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples
   problem.solve();
   const InertialTerm<Curve> samples_term(samples, imu, problem.curve());
   const PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
-  const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms();
+  const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms(samples_term.times());
   const InertialModel model(samples_term, pose_term, smoothness);
   InertialSystem<Curve> system(unfitted.control_points().size());
   const auto start = [&](const Curve& curve) {
-    InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu).calibration};
+    InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu, problem.gaps()).calibration};
     system.clear();
     const Scalar cost = model.linearize(state, system);
     return std::pair(cost, std::move(state));

@@ -13,6 +13,7 @@
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
 #include <splinertia/spline/fit_data.hpp>
+#include <splinertia/spline/fit_options.hpp>
 #include <splinertia/spline/kinematics_jacobians.hpp>
 #include <splinertia/strapdown/imu_calibration.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
@@ -69,12 +70,14 @@ class InertialTerm {
   /// Stands on the diagonal for the information about an unknown of which there is none.
   static constexpr Scalar nothing = std::numeric_limits<Scalar>::min();
 
-  /// Samples outside the curve are left out. Throws std::invalid_argument for a sample that is not finite or not later
-  /// than the one before it, for bad options, and if no sample is left.
+  /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
+  /// not finite or not later than the one before it, for bad options, and if no sample is left.
   template <std::ranges::forward_range Samples>
     requires ImuSample<std::ranges::range_value_t<Samples>, Scalar,
                        std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>
-  InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve) : options_(options) {
+  InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve,
+               const std::vector<FitGap<Time>>& gaps = {})
+      : options_(options) {
     require_positive("InertialOptions", "gyro_standard_deviation", options.gyro_standard_deviation);
     require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
     require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
@@ -105,12 +108,24 @@ class InertialTerm {
       before = time;
       ++i;
       if (after(time, offset - margin) < curve.start() || after(time, offset + margin) > curve.end()) continue;
+      const auto inside = [&](const FitGap<Time>& gap) {
+        return after(time, offset + margin) > gap.start && after(time, offset - margin) < gap.end;
+      };
+      if (std::any_of(gaps.begin(), gaps.end(), inside)) continue;
       samples_.push_back({time, sample.gyro, sample.accel});
     }
     if (samples_.empty()) {
       throw std::invalid_argument(message("IMU: none of ", i, " samples is within the curve, which reaches from ",
-                                          printable(curve.start()), " to ", printable(curve.end())));
+                                          printable(curve.start()), " to ", printable(curve.end()),
+                                          gaps.empty() ? "" : ", and outside its gaps"));
     }
+  }
+
+  /// The times on the curve at which it has samples, ascending.
+  [[nodiscard]] std::vector<Time> times() const {
+    std::vector<Time> result;
+    for (const auto& sample : samples_) result.push_back(after(sample.time, options_.calibration.time_offset));
+    return result;
   }
 
   [[nodiscard]] std::size_t size() const { return samples_.size(); }

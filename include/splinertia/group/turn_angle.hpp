@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/product.hpp>
+#include <utility>
+
+namespace splinertia {
+
+/// The angle, rad, by which exp(δ) turns: of(δ). 0 for groups without rotations, and the largest of the factors of a
+/// product. Known are types with Sophus' accessors: unit_quaternion(), so3(), unit_complex(), so2(). Specialise it for
+/// a rotation of another library.
+template <LieGroup G>
+struct TurnAngle {
+  using Scalar = ScalarOf<G>;
+
+  [[nodiscard]] static Scalar of(const Tangent<G>& delta) {
+    using std::abs;
+    if constexpr (requires(const G& x) { x.so3(); }) {
+      return delta.template tail<3>().norm();
+    } else if constexpr (requires(const G& x) { x.unit_quaternion(); }) {
+      return delta.norm();
+    } else if constexpr (requires(const G& x) { x.so2(); } || requires(const G& x) { x.unit_complex(); }) {
+      return abs(delta[DofOf<G> - 1]);
+    } else {
+      return Scalar(0);
+    }
+  }
+};
+
+template <typename... F>
+struct TurnAngle<Product<F...>> {
+  using G = Product<F...>;
+
+  [[nodiscard]] static ScalarOf<G> of(const Tangent<G>& delta) {
+    ScalarOf<G> largest(0);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((largest = std::max(largest, TurnAngle<F>::of(delta.template segment<DofOf<F>>(G::template offset<I>)))), ...);
+    }(std::index_sequence_for<F...>{});
+    return largest;
+  }
+};
+
+}  // namespace splinertia

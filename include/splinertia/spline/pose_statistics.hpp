@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+/// What stamped poses alone say of their noise and their motion, without any curve.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/time.hpp>
+#include <vector>
+
+namespace splinertia {
+
+/// The median interval between neighbouring poses, s. There are at least two.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] double median_interval(const std::vector<Stamped<G, Time>>& poses) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    intervals.push_back(seconds<double>(poses[i].time - poses[i - 1].time));
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
+/// How far a pose is from the polynomial through its neighbours.
+template <LieGroup G>
+struct NeighbourResidual {
+  Tangent<G> residual;        ///< Σ w_j y_j, w_j the weights of Lagrange's polynomial at the time of the pose
+  ScalarOf<G> amplification;  ///< √(1 + Σ w_j²): of the standard deviation of a pose
+  Tangent<G> acceleration;    ///< of the parabola through the pose and its nearest two
+};
+
+/// Of the pose in the middle of N + 1, whose indices ascend. y_j is the sum of the increments on the way to neighbour
+/// j, which is log(x₀⁻¹ x_j) where they commute, and stays unambiguous for turns of less than π from one to the next.
+template <LieGroup G, TimePoint Time, std::size_t N>
+[[nodiscard]] NeighbourResidual<G> neighbour_residual(const std::vector<Stamped<G, Time>>& poses,
+                                                      const std::array<std::size_t, N>& indices) {
+  using std::sqrt;
+  using Scalar = ScalarOf<G>;
+  static_assert(N % 2 == 1 && N >= 3);
+  constexpr std::size_t middle = N / 2;
+  std::array<Scalar, N> time{};
+  std::array<Tangent<G>, N> way;
+  way[middle].setZero();
+  const auto step = [&](std::size_t from, std::size_t to) {
+    return increment<G>(poses[indices[from]].value, poses[indices[to]].value);
+  };
+  for (std::size_t j = middle + 1; j < N; ++j) {
+    way[j] = way[j - 1] + step(j - 1, j);
+    time[j] = seconds<Scalar>(poses[indices[j]].time - poses[indices[middle]].time);
+  }
+  for (std::size_t j = middle; j-- > 0;) {
+    way[j] = way[j + 1] - step(j, j + 1);
+    time[j] = -seconds<Scalar>(poses[indices[middle]].time - poses[indices[j]].time);
+  }
+  NeighbourResidual<G> result{Tangent<G>::Zero(), Scalar(1), Tangent<G>::Zero()};
+  for (std::size_t j = 0; j < N; ++j) {
+    if (j == middle) continue;
+    Scalar weight(1);
+    for (std::size_t l = 0; l < N; ++l) {
+      if (l != j && l != middle) weight *= time[l] / (time[l] - time[j]);
+    }
+    result.residual += weight * way[j];
+    result.amplification += weight * weight;
+  }
+  result.amplification = sqrt(result.amplification);
+  result.acceleration = Scalar(2) / (time[middle + 1] - time[middle - 1]) *
+                        (way[middle + 1] / time[middle + 1] - way[middle - 1] / time[middle - 1]);
+  return result;
+}
+
+/// The standard deviation of each component of a pose, from how far each is from the polynomial through its nearest
+/// two, four and six neighbours: the median of magnitudes times 1.4826, over the amplification; the least of the three.
+/// It is that of white noise where the motion between neighbours is smooth beside the noise, and else an upper bound.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] Tangent<G> noise_of(const std::vector<Stamped<G, Time>>& poses) {
+  using std::abs;
+  using Scalar = ScalarOf<G>;
+  constexpr Scalar normal = Scalar(1.4826f);
+  Tangent<G> least = Tangent<G>::Constant(std::numeric_limits<Scalar>::infinity());
+  const auto with = [&]<std::size_t N>() {
+    if (poses.size() < N) return;
+    std::array<std::vector<Scalar>, static_cast<std::size_t>(DofOf<G>)> magnitudes;
+    for (std::size_t i = 0; i + N <= poses.size(); ++i) {
+      std::array<std::size_t, N> indices;
+      for (std::size_t j = 0; j < N; ++j) indices[j] = i + j;
+      const auto [residual, amplification, acceleration] = neighbour_residual(poses, indices);
+      for (std::size_t row = 0; row < magnitudes.size(); ++row) {
+        magnitudes[row].push_back(abs(residual[static_cast<Eigen::Index>(row)]) / amplification);
+      }
+    }
+    for (std::size_t row = 0; row < magnitudes.size(); ++row) {
+      auto& all = magnitudes[row];
+      const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+      std::nth_element(all.begin(), middle, all.end());
+      Scalar& entry = least[static_cast<Eigen::Index>(row)];
+      entry = std::min(entry, normal * *middle);
+    }
+  };
+  with.template operator()<3>();
+  with.template operator()<5>();
+  with.template operator()<7>();
+  return least;
+}
+
+}  // namespace splinertia
