@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <splinertia/motion/kinematics.hpp>
+#include <splinertia/spline/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"
@@ -90,7 +91,8 @@ nanoseconds knot_interval(const FittedTrajectory& fitted) {
 nanoseconds window_of(const PoseNoise& noise, nanoseconds usual, nanoseconds knot_interval) {
   constexpr double most = 2;
   const double quiet = std::sqrt(largest_of_many * std::sqrt(6.0) * noise.position / most);
-  return std::max({usual, after(nanoseconds(0), quiet), std::min(knot_interval, nanoseconds(50'000'000))});
+  const nanoseconds long_enough = std::isfinite(quiet) ? after(nanoseconds(0), quiet) : usual;
+  return std::max({usual, long_enough, std::min(knot_interval, nanoseconds(50'000'000))});
 }
 
 std::string cell(const Peak& peak, nanoseconds first) {
@@ -104,8 +106,9 @@ Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eige
   Extremes result{};
   if (!fitted.holes.empty()) result.invented.emplace();
   peaks_of_curve(fitted, gravity, rate, result);
-  const nanoseconds usual = median_interval(poses);
-  result.noise = pose_noise(poses);
+  const nanoseconds usual = after(nanoseconds(0), median_interval(poses));
+  const Tangent<SO3xR3<double>> noise = noise_of(poses);
+  result.noise = {noise.head<3>().maxCoeff(), noise.tail<3>().maxCoeff()};
   result.window = window_of(result.noise, usual, knot_interval(fitted));
   for (const Poses& stretch : stretches(poses, fitted)) {
     peak_of_turns(stretch, usual / 2, result.differences.gyro);
@@ -129,12 +132,15 @@ std::string extremes_text(const Extremes& found, nanoseconds first) {
   };
   row("|omega| [rad/s]", &Peaks::gyro);
   row("|f| [m/s^2]", &Peaks::accel);
+  text += formatted(
+      "differences: turns between neighbouring poses; second differences of positions %.3g s apart, less "
+      "gravity\n",
+      seconds<double>(found.window));
+  if (!std::isfinite(found.gyro_noise + found.accel_noise)) return text;
   return text + formatted(
-                    "differences: turns between neighbouring poses; second differences of positions %.3g s apart, "
-                    "less gravity\nnoise of the poses, from their sixth differences: %.2g rad and %.2g m; it "
-                    "alone makes differences of up to %.2g rad/s and %.2g m/s^2\n",
-                    seconds<double>(found.window), found.noise.rotation, found.noise.position, found.gyro_noise,
-                    found.accel_noise);
+                    "noise of the poses, found in their differences: %.2g rad and %.2g m; it alone makes "
+                    "differences of up to %.2g rad/s and %.2g m/s^2\n",
+                    found.noise.rotation, found.noise.position, found.gyro_noise, found.accel_noise);
 }
 
 std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTrajectory& fitted) {

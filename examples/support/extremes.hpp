@@ -21,6 +21,11 @@ struct Peaks {
   Peak gyro, accel;
 };
 
+/// Standard deviations of poses on their noisiest axis; infinite where there are too few poses to find them.
+struct PoseNoise {
+  double rotation = 0, position = 0;  // rad, m
+};
+
 struct Extremes {
   Peaks measured;                   // of the curve, outside of holes
   std::optional<Peaks> invented;    // of the curve inside holes

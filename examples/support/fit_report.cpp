@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <splinertia/spline/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"
@@ -126,7 +127,7 @@ std::string condition_warning(double condition) {
 
 /// The longest way without poses that is no hole, where it is long for the curve.
 std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted) {
-  const nanoseconds limit = fitted.interval ? 2 * *fitted.interval : 10 * median_interval(poses);
+  const nanoseconds limit = fitted.interval ? 2 * *fitted.interval : after(nanoseconds(0), 10 * median_interval(poses));
   std::size_t longest = 1;
   for (std::size_t i = 2; i < poses.size(); ++i) {
     if (poses[i].time - poses[i - 1].time > poses[longest].time - poses[longest - 1].time) longest = i;
@@ -155,7 +156,7 @@ std::vector<std::string> warnings(const FitInput& input, const FittedTrajectory&
                                   const Extremes& found) {
   std::vector<std::string> lines{not_converged(fitted, o), condition_warning(fitted.condition)};
   const double share = static_cast<double>(fitted.outliers.size()) / static_cast<double>(input.poses.size());
-  if (share > 0.02) {
+  if (share > 0.02 && fitted.outliers.size() > 5) {
     lines.push_back(
         formatted("%.2g %% of the poses are outliers: their noise is not normal, or the knots are too far "
                   "apart for parts of the motion",

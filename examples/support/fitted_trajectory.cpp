@@ -27,7 +27,8 @@ std::vector<nanoseconds> FittedTrajectory::breaks() const {
 
 FittedTrajectory fit_trajectory(const FitInput& input, const FitChoices& choices, const FitImu* imu) {
   if (input.poses.size() < 2) {
-    throw std::runtime_error(message(input.file.string(), ": ", input.poses.size(), " poses, expected at least 2"));
+    throw std::runtime_error(message(input.file.string(), ": ", input.poses.empty() ? "no poses" : "1 pose",
+                                     ", expected at least 2"));
   }
   const auto with_group = [&]<typename G>() {
     switch (choices.order) {

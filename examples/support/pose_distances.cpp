@@ -2,7 +2,6 @@
 #include "support/pose_distances.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <splinertia/time.hpp>
 
@@ -11,30 +10,10 @@
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
-namespace {
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
-
 nanoseconds longest_interval(const Poses& poses) {
   nanoseconds longest{0};
   for (std::size_t i = 1; i < poses.size(); ++i) longest = std::max(longest, poses[i].time - poses[i - 1].time);
   return longest;
-}
-
-nanoseconds median_interval(const Poses& poses) {
-  std::vector<nanoseconds> intervals;
-  for (std::size_t i = 1; i < poses.size(); ++i) intervals.push_back(poses[i].time - poses[i - 1].time);
-  if (intervals.empty()) return nanoseconds{0};
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
 }
 
 PoseDistances distances(const Poses& curve, const Poses& poses) {
@@ -100,26 +79,4 @@ std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& 
   }
   if (all > most) lines.push_back(formatted("and in %zu more runs, which are less far off", all - most));
   return lines;
-}
-
-PoseNoise pose_noise(const Poses& poses) {
-  // A turn from pose to pose is a first difference already.
-  constexpr std::array<double, 7> sixth{1, -6, 15, -20, 15, -6, 1};
-  constexpr std::array<double, 6> fifth{-1, 5, -10, 10, -5, 1};
-  std::array<std::vector<double>, 3> rotations, positions;  // of each axis
-  for (std::size_t i = 0; i + sixth.size() <= poses.size(); ++i) {
-    Eigen::Vector3d turn = Eigen::Vector3d::Zero(), way = Eigen::Vector3d::Zero();
-    for (std::size_t j = 0; j < sixth.size(); ++j) way += sixth[j] * position(poses[i + j].value);
-    for (std::size_t j = 0; j < fifth.size(); ++j) {
-      turn += fifth[j] * increment(rotation(poses[i + j].value), rotation(poses[i + j + 1].value));
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      rotations[static_cast<std::size_t>(axis)].push_back(std::abs(turn[axis]));
-      positions[static_cast<std::size_t>(axis)].push_back(std::abs(way[axis]));
-    }
-  }
-  const auto noisiest = [](std::array<std::vector<double>, 3>& axes) {
-    return 1.4826 / std::sqrt(924.0) * std::max({median(axes[0]), median(axes[1]), median(axes[2])});
-  };
-  return {noisiest(rotations), noisiest(positions)};
 }

@@ -13,8 +13,6 @@
 using Poses = std::vector<splinertia::Stamped<splinertia::SO3xR3<double>>>;
 
 [[nodiscard]] std::chrono::nanoseconds longest_interval(const Poses& poses);
-/// 0 for fewer than two poses.
-[[nodiscard]] std::chrono::nanoseconds median_interval(const Poses& poses);
 
 /// How far a curve is from each pose: in position in the world [m], in rotation in the body of the pose [rad].
 struct PoseDistances {
@@ -35,11 +33,3 @@ struct Lengths {
 /// pose. Runs with at most five poses between are one. Of more than `most` the worst are named.
 [[nodiscard]] std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& distances,
                                                      const std::vector<std::size_t>& outliers, std::size_t most);
-
-/// Standard deviations of the noise of poses on the noisiest axis. They are found in sixth differences, of which a
-/// motion that is smooth over seven poses has nearly none: 1.4826 times the median magnitude, over the standard
-/// deviation sqrt(924) that white noise of one has. 0 for fewer than 7 poses.
-struct PoseNoise {
-  double rotation = 0, position = 0;  // rad, m
-};
-[[nodiscard]] PoseNoise pose_noise(const Poses& poses);

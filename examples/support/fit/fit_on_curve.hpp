@@ -10,8 +10,10 @@
 #include <splinertia/spline/choose_knots.hpp>
 #include <splinertia/spline/fit.hpp>
 #include <splinertia/spline/interpolate.hpp>
+#include <splinertia/spline/knot_choice.hpp>
 #include <splinertia/strapdown/inertial_fit.hpp>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "support/fitted_trajectory.hpp"
@@ -59,12 +61,19 @@ FitOptions<Curve> fit_options(const FitChoices& o) {
   return options;
 }
 
-/// The knot interval where the command line says nothing: 0.05 s, or where poses are sparse two of their intervals.
-template <typename Curve>
-void choose_knots(const Poses& poses, FitOptions<Curve>& options, FittedTrajectory& result) {
-  const double sparse = 2 * seconds<double>(median_interval(poses));
-  options.knot_interval = std::max(0.05, sparse);
-  result.why_interval = sparse > 0.05 ? "two intervals of the poses" : "the program's default";
+/// Why fit() has placed the knots where it has.
+inline std::string why(KnotLimit limit) {
+  switch (limit) {
+    case KnotLimit::motion:
+      return "chosen: further apart they would miss motion beyond the noise of the poses";
+    case KnotLimit::poses:
+      return "chosen: as close as the poses, which are sparse for their motion";
+    case KnotLimit::turn:
+      return "chosen: further apart neighbouring control points would turn by more than 120 deg";
+    case KnotLimit::length:
+      break;
+  }
+  return "chosen: the poses show no motion that needs closer ones";
 }
 
 /// What can be seen of a curve, once it is there.
@@ -85,33 +94,20 @@ void describe_curve(const Curve& curve, const Poses& poses, FittedTrajectory& re
   result.distances = distances(result.smoothed, poses);
 }
 
-/// The spans that nothing has measured. An IMU that the curve was fitted to measures them all. Where smoothness holds
-/// knots that are closer than the poses, the library reports the spans between poses; those of the usual length are no
-/// holes.
-template <typename Curve>
-std::vector<Hole> holes_of(const Fit<Curve>& fit, const Poses& poses, const FitChoices& o, bool with_imu) {
-  std::vector<Hole> holes;
-  if (with_imu) return holes;
-  const nanoseconds usual = o.position_density ? 3 * median_interval(poses) : nanoseconds{0};
-  for (const auto& gap : fit.gaps) {
-    if (gap.end - gap.start > usual) holes.push_back({gap.start, gap.end});
-  }
-  return holes;
-}
-
 /// What a fit says beside its curve.
 template <typename Curve>
-void describe_fit(const Fit<Curve>& fit, const Poses& poses, const FitChoices& o, bool with_imu,
-                  FittedTrajectory& result) {
+void describe_fit(const Fit<Curve>& fit, bool with_imu, FittedTrajectory& result) {
   const auto& deviation = fit.standard_deviation;
   constexpr bool split = SplitPose<typename Curve::Group>;
   result.rotation_deviation = split ? deviation.template head<3>() : deviation.template tail<3>();
   result.position_deviation = split ? deviation.template tail<3>() : deviation.template head<3>();
   result.outliers = fit.outliers;
-  result.holes = holes_of(fit, poses, o, with_imu);
+  // An IMU that the curve was fitted to measures it everywhere.
   for (const auto& gap : fit.gaps) {
-    result.held_control_points += gap.last_control_point - gap.first_control_point + 1;
+    if (!with_imu) result.holes.push_back({gap.start, gap.end});
   }
+  result.held_control_points = fit.held_control_points;
+  if (fit.knot_choice) result.why_interval = why(fit.knot_choice->limit);
   result.iterations = fit.iterations;
   result.converged = fit.converged;
   result.condition = fit.condition;
@@ -155,9 +151,9 @@ FittedImu calibrate(const Curve& curve, const FittedTrajectory& fitted, const Fi
   });
 }
 
-/// Sets the knot interval as the choices say.
+/// Sets the knot interval as the choices say; where they say nothing, fit() chooses.
 template <typename Curve>
-void place_knots(const PosesOf<Curve>& data, const FitInput& input, const FitChoices& o, FitOptions<Curve>& options,
+void place_knots(const PosesOf<Curve>& data, const FitChoices& o, FitOptions<Curve>& options,
                  FittedTrajectory& result) {
   if (o.cross_validate) {
     const Stage stage("cross-validating knot intervals");
@@ -168,10 +164,8 @@ void place_knots(const PosesOf<Curve>& data, const FitInput& input, const FitCho
     const Stage stage("searching the coarsest knots that meet the goals");
     const auto goal = tangent<typename Curve::Group>(*o.goal_rotation, *o.goal_position);
     options.knot_interval = result.chosen_interval = coarsest_knot_interval<Curve>(data, goal, options);
-  } else if (o.knot_interval) {
-    options.knot_interval = o.knot_interval;
   } else {
-    choose_knots(input.poses, options, result);
+    options.knot_interval = o.knot_interval;
   }
 }
 
@@ -183,7 +177,7 @@ FittedTrajectory fit_uniform(const FitInput& input, const FitChoices& o, const F
   FittedTrajectory result;
   std::optional<Fit<Curve>> fitted;
   about(input.file, " (--knot-interval; --smooth-position)", [&] {
-    place_knots<Curve>(data, input, o, options, result);
+    place_knots<Curve>(data, o, options, result);
     const Stage stage("fitting");
     fitted.emplace(fit<Curve>(data, options));
   });
@@ -192,12 +186,13 @@ FittedTrajectory fit_uniform(const FitInput& input, const FitChoices& o, const F
   if (together) {
     const Stage stage("fitting poses and IMU together");
     options.standard_deviation = fitted->standard_deviation;
+    if (fitted->knot_choice) options.knot_interval = fitted->knot_choice->interval;
     about(imu->file, "",
           [&] { both.emplace(inertial_fit<Curve>(data, imu->samples, options, inertial_options(*imu))); });
   }
   const Fit<Curve>& final_fit = both ? *both : *fitted;
   result.curve = AnyTrajectory(final_fit.spline);
-  describe_fit(final_fit, input.poses, o, together, result);
+  describe_fit(final_fit, together, result);
   describe_curve(final_fit.spline, input.poses, result);
   if (both) result.imu = describe_imu(both->imu, inertial_options(*imu), result, imu->samples);
   if (imu && !together) result.imu = calibrate(final_fit.spline, result, *imu);
@@ -219,7 +214,7 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
     const Stage stage("fitting with finer and finer knots");
     const auto goal = tangent<G>(*o.goal_rotation, *o.goal_position);
     Fit<Curve> fitted = adaptive_fit<Curve>(data, goal, fit_options<Curve>(o));
-    describe_fit(fitted, input.poses, o, false, result);
+    describe_fit(fitted, false, result);
     return std::move(fitted.spline);
   });
   result.curve = AnyTrajectory(curve);
