@@ -61,7 +61,7 @@ void write_table(const std::filesystem::path& path, const std::vector<Row>& rows
 }
 
 void run(const Options& o) {
-  const auto reference = read_trajectory(o.reference), estimate = read_trajectory(o.estimate);
+  const auto reference = read_trajectory(o.reference).poses, estimate = read_trajectory(o.estimate).poses;
   const Pairs associated = associate(reference, estimate, o.max_difference);
   const auto transform = alignment(associated, alignments.at(o.align));
   const Pairs pairs = transformed(associated, transform);

@@ -12,11 +12,9 @@
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc.hpp>
-#include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory.hpp>
 #include <splinertia/splinertia.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 using namespace splinertia;
@@ -51,10 +49,14 @@ struct Trajectory {
   bool with_states;  // velocities and biases are in the file, else velocities are from its poses, biases unknown
 };
 
-Trajectory states_of(const std::vector<EurocState>& states) {
+Trajectory states_of(const TrajectoryFile& file) {
   Trajectory result{{}, true};
-  for (const EurocState& s : states) {
-    result.rows.push_back({{rotation(s.pose), s.velocity, position(s.pose), s.time}, {s.gyro_bias, s.accel_bias}});
+  for (std::size_t i = 0; i < file.poses.size(); ++i) {
+    const auto& [time, pose] = file.poses[i];
+    const ImuBias<double> bias = file.gyro_biases.empty() || file.accel_biases.empty()
+                                     ? ImuBias<double>{}
+                                     : ImuBias<double>{file.gyro_biases[i], file.accel_biases[i]};
+    result.rows.push_back({{rotation(pose), file.velocities[i], position(pose), time}, bias});
   }
   return result;
 }
@@ -74,18 +76,9 @@ Trajectory states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double l
   return result;
 }
 
-/// Whether every row of a EuRoC file has velocities and biases: readers see to it that all are of one length.
-bool has_states(const std::filesystem::path& path) {
-  TextFile file(path);
-  std::vector<std::string_view> fields;
-  if (file.next()) split_fields(file.line(), fields);
-  return fields.size() == euroc_groundtruth_columns.size();
-}
-
 Trajectory read_truth(const Options& o) {
-  const bool euroc = recognize_trajectory(o.trajectory) == TrajectoryFormat::euroc;
-  const Trajectory truth = euroc && has_states(o.trajectory) ? states_of(read_euroc_groundtruth(o.trajectory))
-                                                             : states_of(read_trajectory(o.trajectory), o.longest_gap);
+  const TrajectoryFile file = read_trajectory(o.trajectory);
+  const Trajectory truth = file.velocities.empty() ? states_of(file.poses, o.longest_gap) : states_of(file);
   if (truth.rows.empty()) {
     throw std::runtime_error(message(o.trajectory.string(), ": expected three poses in a row that are at most ",
                                      o.longest_gap, " s apart, to have a velocity (--longest-gap)"));

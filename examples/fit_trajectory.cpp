@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -21,6 +20,7 @@
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
 #include "support/sampling_rate.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 
@@ -36,13 +36,8 @@ void plot(const Options& o) {
   }
 }
 
-FitInput read_input(const Options& o) {
-  const Stage stage("reading");
-  return {o.trajectory, read_trajectory(o.trajectory)};
-}
-
 void run(Options& o) {
-  const FitInput input = read_input(o);
+  const FitInput input = read_fit_input(o.input);
   if (!input.poses.empty()) {
     check_sampling_rate(o.rate, seconds<double>(input.poses.back().time - input.poses.front().time));
   }
@@ -85,7 +80,7 @@ void add_imu_options(CLI::App& app, FitImu& imu) {
 
 void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
-  auto* trajectory = app.add_option("trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content");
+  auto* trajectory = app.add_option("trajectory", o.input.file, "trajectory of any format below, or a ROS bag");
   trajectory->required();
   app.add_option("-o,--output", o.output,
                  "folder for control_points.csv, knots.csv, residuals.csv, gaps.csv, derived_imu.csv (EuRoC), "
@@ -96,6 +91,7 @@ void add_options(CLI::App& app, Options& o) {
   add_gravity_option(app, o.gravity);
   app.add_flag("--no-plot", o.no_plot, "no fit.png and .svg, which need Python with matplotlib");
   app.add_option("--python", o.python, "for the plot; default: $SPLINERTIA_PYTHON or python3")->capture_default_str();
+  add_trajectory_options(app, o.input);
   add_fit_options(app, o.fit, trajectory);
   add_imu_options(app, o.imu);
 }

@@ -10,7 +10,6 @@
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/motion/coning.hpp>
@@ -166,14 +165,9 @@ void simulate_along(const AnyTrajectory& truth, const std::vector<Hole>& holes, 
   run.finish();
 }
 
-FitInput read_input(const Options& o) {
-  const Stage stage("reading");
-  return {o.trajectory, read_trajectory(o.trajectory)};
-}
-
 void simulate_file(const Options& o) {
   const Sensor sensor = sensor_of(o);
-  const FitInput input = read_input(o);
+  const FitInput input = read_fit_input(o.input);
   const FittedTrajectory fitted = fit_trajectory(input, o.fit, nullptr);
   const Extremes found = extremes(input.poses, fitted, o.gravity.vector, sensor.rate);
   std::printf("%s\n", fit_report(input, fitted, o.fit, nullptr, found).c_str());
@@ -211,6 +205,6 @@ int main(int argc, char** argv) {
       return;
     }
     check(options);
-    options.trajectory.empty() ? simulate_analytic(options) : simulate_file(options);
+    options.input.file.empty() ? simulate_analytic(options) : simulate_file(options);
   });
 }

@@ -7,10 +7,11 @@
 #include "support/fit_choices.hpp"
 #include "support/fitted_trajectory.hpp"
 #include "support/gravity_option.hpp"
+#include "support/trajectory_input.hpp"
 
 /// What the command line says.
 struct Options {
-  std::filesystem::path trajectory;
+  TrajectoryInput input;
   FitChoices fit;
   FitImu imu;  // without a file: none
   GravityOption gravity;

@@ -59,8 +59,8 @@ void add_sensor_options(CLI::App& app, Options& o) {
 }  // namespace
 
 void add_options(CLI::App& app, Options& o) {
-  auto* trajectory = app.add_option(
-      "trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content; without it an analytic motion");
+  auto* trajectory = app.add_option("trajectory", o.input.file,
+                                    "trajectory of any format below, or a ROS bag; without it an analytic motion");
   app.add_option("--motion", o.motion, "analytic motion")
       ->check(CLI::IsMember({"ellipse", "circle", "coning", "rest"}))
       ->excludes(trajectory)
@@ -75,6 +75,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
   app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
   app.add_flag("--help-errors", o.help_errors, "say what a file for --errors can hold, and exit");
+  add_trajectory_options(app, o.input, trajectory);
   add_fit_options(app, o.fit, trajectory);
 }
 

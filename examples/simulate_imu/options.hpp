@@ -10,10 +10,11 @@
 #include "support/any_error_model.hpp"
 #include "support/fit_choices.hpp"
 #include "support/gravity_option.hpp"
+#include "support/trajectory_input.hpp"
 
 /// What the command line says.
 struct Options {
-  std::filesystem::path trajectory;  // empty: an analytic motion
+  TrajectoryInput input;  // without a file: an analytic motion
   FitChoices fit;
   bool keep_holes = false;
   std::string motion = "ellipse";

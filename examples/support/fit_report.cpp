@@ -174,10 +174,11 @@ std::string fit_report(const FitInput& input, const FittedTrajectory& fitted, co
                        const Extremes& found) {
   const Poses& poses = input.poses;
   const nanoseconds first = poses.front().time, last = poses.back().time;
-  std::string text = formatted("%s: %zu poses over %.9g s from %lld to %lld ns, longest interval %.4g s\n",
-                               input.file.string().c_str(), poses.size(), seconds<double>(last - first),
-                               static_cast<long long>(first.count()), static_cast<long long>(last.count()),
-                               seconds<double>(longest_interval(poses)));
+  std::string text = input.notes;
+  text += formatted("%s: %zu poses over %.9g s from %lld to %lld ns, longest interval %.4g s\n",
+                    input.file.string().c_str(), poses.size(), seconds<double>(last - first),
+                    static_cast<long long>(first.count()), static_cast<long long>(last.count()),
+                    seconds<double>(longest_interval(poses)));
   text += formatted("spline: order %d on %s, %zu control points\n", o.order,
                     o.group == "split" ? "SO(3) x R^3" : "SE(3)", fitted.control_points.size());
   text += knots_text(fitted, o) + '\n' + fit_text(fitted, o) + '\n';

@@ -3,8 +3,10 @@
 
 #include <splinertia/message.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "support/formatted.hpp"
+#include "support/progress.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -25,10 +27,17 @@ std::vector<nanoseconds> FittedTrajectory::breaks() const {
   return result;
 }
 
+FitInput read_fit_input(const TrajectoryInput& input) {
+  const Stage stage("reading");
+  TrajectoryFile file = read_trajectory_input(input);
+  std::string notes = note_lines(input, file);
+  return {input.file, std::move(file.poses), std::move(notes)};
+}
+
 FittedTrajectory fit_trajectory(const FitInput& input, const FitChoices& choices, const FitImu* imu) {
   if (input.poses.size() < 2) {
-    throw std::runtime_error(message(input.file.string(), ": ", input.poses.empty() ? "no poses" : "1 pose",
-                                     ", expected at least 2"));
+    throw std::runtime_error(
+        message(input.file.string(), ": ", input.poses.empty() ? "no poses" : "1 pose", ", expected at least 2"));
   }
   const auto with_group = [&]<typename G>() {
     switch (choices.order) {

@@ -17,12 +17,15 @@
 #include "support/fit_choices.hpp"
 #include "support/holes.hpp"
 #include "support/pose_distances.hpp"
+#include "support/trajectory_input.hpp"
 
-/// Poses, and the file that messages name.
+/// Poses, the file that messages name, and lines on how it was read.
 struct FitInput {
   std::filesystem::path file;
   Poses poses;
+  std::string notes{};
 };
+[[nodiscard]] FitInput read_fit_input(const TrajectoryInput& input);
 
 /// An IMU that was there: its samples, and how it is calibrated.
 struct FitImu {

@@ -105,16 +105,17 @@ def knot_interval(folder):
 
 
 def title_of(folder):
-    """What report.txt begins with, short."""
+    """The lines of report.txt on poses, spline and knots, short."""
     try:
-        lines = (folder / "report.txt").read_text(encoding="utf-8", errors="replace").splitlines()[:4]
+        lines = (folder / "report.txt").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
         return ""
-    if len(lines) < 4 or not lines[1].startswith("spline: "):
+    place = next((i for i, line in enumerate(lines) if line.startswith("spline: ")), 0)
+    if not 0 < place < len(lines) - 1:
         return ""
-    name = os.path.basename(lines[0].split(": ")[0])
-    spline = lines[1].removeprefix("spline: ").replace("R^3", "R³").replace(" x ", " × ")
-    return f"{name}:  spline of {spline}, {re.split(', the | [(]', lines[2])[0]}"
+    name = os.path.basename(lines[place - 1].split(": ")[0])
+    spline = lines[place].removeprefix("spline: ").replace("R^3", "R³").replace(" x ", " × ")
+    return f"{name}:  spline of {spline}, {re.split(', the | [(]', lines[place + 1])[0]}"
 
 
 def usual_size(values, share):
