@@ -152,7 +152,7 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
     if (differences >= 0 && curve > factor * differences + noise) {
       lines.push_back(
           formatted("the curve's largest %s is %.3g times that of the poses' differences (%.3g for %.3g %s, "
-                    "factor %g allowed): the curve swings where poses hardly hold it",
+                    "factor %g allowed): the curve swings, or follows poses that jump",
                     what, curve / differences, curve, differences, unit, factor));
     }
     if (differences - noise > factor * curve) {
