@@ -54,7 +54,7 @@ struct FitOptions {
   double outlier_limit = 6;
   int most_iterations = 100;
   /// Whether a weak prior holds the outermost Order − 2 segments at either end, where one wrong pose bends the curve as
-  /// it likes: accelerations up to five times those of the rest, noise included, are believed. Without it, and without
+  /// it likes: accelerations up to three times those of the rest, noise included, are believed. Without it, and without
   /// gaps, fit() is least squares (or the loss) and nothing else.
   bool hold_ends = true;
 };

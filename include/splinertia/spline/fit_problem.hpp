@@ -153,7 +153,7 @@ class FitProblem {
   [[nodiscard]] Curve first_curve() {
     check(options_, data_.size());
     if (!options_.knots && !options_.knot_interval) {
-      choice_ = choose_knot_interval(data_);
+      choice_ = choose_knot_interval(data_, Curve::order);
       options_.knot_interval = choice_->interval;
     }
     auto [knots, control_points] = knots_over<Curve>(data_, options_);

@@ -75,7 +75,7 @@ class GapBridges {
          span.start, span.end, span.knot_interval, true);
   }
 
-  /// The outermost Order − 2 segments, where a single pose bends the curve as it likes: accelerations up to five times
+  /// The outermost Order − 2 segments, where a single pose bends the curve as it likes: accelerations up to three times
   /// those of the rest, noise included, are believed.
   void hold_ends() {
     const auto& knots = curve_.knots();
@@ -101,9 +101,9 @@ class GapBridges {
   }
 
   /// Adds the prior over [from, to] where other measurements are further apart than 1.5 knot intervals: as it is where
-  /// it is needed, and five times as wide where poses hold the curve, too.
+  /// it is needed, and three times as wide where poses hold the curve, too.
   void hold(const Anchors& anchors, Time from, Time to, double knot_interval, bool needed) {
-    const Scalar amplitude = needed ? Scalar(1) : Scalar(5);
+    const Scalar amplitude = needed ? Scalar(1) : Scalar(3);
     const auto length = seconds<Scalar>(to - from);
     // Where nothing is beside the span: a motion within it that the noise could hide.
     const Scalar unseen = derivative == 2 ? 9 / (length * length * length) : 4 / length;

@@ -102,13 +102,33 @@ template <LieGroup G, TimePoint Time>
   return largest_turn / fastest;
 }
 
-/// How far apart the knots of a cubic should be for the rate of the curve to be right: the longest interval h of which
-/// the error is below the noise, per component. From the cubic through poses at ±h and ±2h, which is off by
-/// r = h⁴ |x⁗|/6, follow the errors of the spline's velocity and acceleration (√(|B₆|/6!) h³ |x⁗| and
-/// √(|B₄|/4!) h² |x⁗|, root mean squares of Bernoulli's polynomials: de Boor, A Practical Guide to Splines, XII); the
-/// noise of its velocity is about 1.5 σ/(h √N), with N poses to a knot. Requires two poses in ascending order of time.
+/// The errors of the first two derivatives of a spline, from the sizes of h² x″ and h⁴ x⁗. A spline of order k is off
+/// by √(|B₂ₖ₋₂|/(2k−2)!) hᵏ⁻¹ |x⁽ᵏ⁾| in x′ and by √(|B₂ₖ₋₄|/(2k−4)!) hᵏ⁻² |x⁽ᵏ⁾| in x″, root mean squares of
+/// Bernoulli's polynomials (de Boor, A Practical Guide to Splines, XII). Orders above 4 are taken for 4, and |x‴| for
+/// √(|x″| |x⁗|), as of a sine.
+struct SplineErrors {
+  double first, second;  ///< of h x′ and h² x″
+
+  SplineErrors(int order, double h2_second, double h4_fourth) {
+    if (order > 3) {
+      first = 5.75e-3 * h4_fourth;
+      second = 0.0373 * h4_fourth;
+    } else if (order == 3) {
+      first = 0.0373 * std::sqrt(h2_second * h4_fourth);
+      second = 0.289 * std::sqrt(h2_second * h4_fourth);
+    } else {
+      first = 0.289 * h2_second;
+      second = h2_second;
+    }
+  }
+};
+
+/// How far apart the knots of a curve should be for its rate to be right: the longest interval h of which the error is
+/// below the noise, per component. The cubic through poses at ±h and ±2h is off by h⁴ |x⁗|/6, which gives the errors of
+/// the spline; the noise of its velocity is about 1.5 σ/(h √N), with N poses to a knot. Requires two poses in ascending
+/// order of time.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses) {
+[[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = seconds<double>(poses.back().time - poses.front().time);
   KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), noise_of(poses)};
   const auto good = [&](double h, const MotionAtScale<G>& motion) {
@@ -118,12 +138,10 @@ template <LieGroup G, TimePoint Time>
       // Of the residual r, 17/18 σ² is what noise adds at four even neighbours.
       const double square = static_cast<double>(motion.residual_square[row]) - 1.944 * noise * noise;
       if (!(square > 0)) continue;
-      const double fourth = 6 * std::sqrt(square);  // h⁴ |x⁗|
-      const double velocity_error = 5.75e-3 * fourth / h,
-                   noise_of_velocity = 1.5 * noise / (h * std::sqrt(poses_to_a_knot));
-      const double acceleration_error = 0.0373 * fourth / (h * h);
       const double acceleration = std::sqrt(static_cast<double>(motion.acceleration_square[row]));
-      if (velocity_error > noise_of_velocity && acceleration_error > 5e-4 * acceleration) return false;
+      const SplineErrors error(order, h * h * acceleration, 6 * std::sqrt(square));
+      const double noise_of_first = 1.5 * noise / std::sqrt(poses_to_a_knot);
+      if (error.first > noise_of_first && error.second > 5e-4 * h * h * acceleration) return false;
     }
     return true;
   };
