@@ -112,8 +112,10 @@ TEST_CASE("Motions are no jumps") {
         CHECK(poses_between_jumps(poses_of(thrown, rate, count, noise, seed)) == all);
         CHECK(poses_between_jumps(poses_of(circle, rate, count, noise, seed)) == all);
         CHECK(poses_between_jumps(poses_of(drive, rate, count, noise, seed)) == all);
-        if (noise < 1e-3) continue;  // beside a rest without noise, an acceleration that begins at the end is a jump
+        // Beside a rest without noise, what begins fewer than nine poses before the end is a jump.
+        if (noise < 1e-3 && rate < 100) continue;
         CHECK(poses_between_jumps(poses_of(start, rate, count, noise, seed)) == all);
+        if (noise < 1e-3) continue;
         CHECK(poses_between_jumps(poses_of(blow, rate, count, noise, seed)) == all);
       }
     }

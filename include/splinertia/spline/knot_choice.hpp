@@ -7,8 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <optional>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/group/tangent_units.hpp>
 #include <splinertia/group/turn_angle.hpp>
+#include <splinertia/spline/pose_breaks.hpp>
 #include <splinertia/spline/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
@@ -18,6 +23,29 @@ namespace splinertia {
 /// How far neighbouring control points may turn against each other, rad: beyond π they could turn the other way.
 inline constexpr double largest_turn = 2 * std::numbers::pi / 3;
 
+/// Poses without those that are astray between breaks, and in which of the parts between jumps each is.
+template <LieGroup G, TimePoint Time>
+struct UnbrokenPoses {
+  std::vector<Stamped<G, Time>> poses;
+  std::vector<std::size_t> part;
+
+  explicit UnbrokenPoses(const std::vector<Stamped<G, Time>>& all) {
+    constexpr std::size_t most_astray = 4;  // between two breaks
+    const auto breaks = detail::breaks_between(all);
+    std::size_t from = 0;
+    for (std::size_t b = 0; b < breaks.size(); ++b) {
+      const auto to = static_cast<std::ptrdiff_t>(breaks[b] + 1);
+      const bool astray = b > 0 && breaks[b] <= breaks[b - 1] + most_astray;
+      if (!astray) poses.insert(poses.end(), all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + to);
+      from = breaks[b] + 1;
+    }
+    poses.insert(poses.end(), all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
+    part.assign(poses.size(), 0);
+    for (const std::size_t jump : detail::breaks_between(poses)) ++part[jump + 1];
+    std::partial_sum(part.begin(), part.end(), part.begin());
+  }
+};
+
 /// The mean squares of what poses an interval h apart show.
 template <LieGroup G>
 struct MotionAtScale {
@@ -25,19 +53,17 @@ struct MotionAtScale {
   Tangent<G> acceleration_square;  ///< of the parabola through those at 0 and ±h
 };
 
-/// Over all poses with neighbours at these distances to within a quarter of h, of at most a few thousand of them. The
-/// largest fiftieth is left out, and at least what two jumps reach, which is `reached` poses each. None if there are
-/// fewer than three.
+/// Over all poses with neighbours at these distances to within a quarter of h and no jump between them; of at most a
+/// few thousand. None if there are fewer than three.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] std::optional<MotionAtScale<G>> motion_at_scale(const std::vector<Stamped<G, Time>>& poses, double h,
-                                                              std::size_t reached) {
-  using Scalar = ScalarOf<G>;
+[[nodiscard]] std::optional<MotionAtScale<G>> motion_at_scale(const UnbrokenPoses<G, Time>& unbroken, double h) {
   constexpr std::size_t most = 4096;
+  const auto& [poses, part] = unbroken;
   const auto since_first = [&](std::size_t i) { return seconds<double>(poses[i].time - poses.front().time); };
   std::array<std::size_t, 5> at{};
-  std::vector<Tangent<G>> residuals, accelerations;
-  const std::size_t step = std::max<std::size_t>(1, poses.size() / most);
-  for (std::size_t i = 0; i < poses.size(); i += step) {
+  MotionAtScale<G> sum{Tangent<G>::Zero(), Tangent<G>::Zero()};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < poses.size(); i += std::max<std::size_t>(1, poses.size() / most)) {
     bool found = true;
     for (std::size_t j = 0; j < at.size() && found; ++j) {
       const double wanted = since_first(i) + h * (static_cast<double>(j) - 2);
@@ -45,27 +71,15 @@ template <LieGroup G, TimePoint Time>
       while (k + 1 < poses.size() && std::abs(since_first(k + 1) - wanted) <= std::abs(since_first(k) - wanted)) ++k;
       found = std::abs(since_first(k) - wanted) <= h / 4;
     }
-    if (!found) continue;
+    if (!found || part[at.front()] != part[at.back()]) continue;
     const auto n = neighbour_residual(poses, at);
-    residuals.push_back(n.residual.cwiseAbs2());
-    accelerations.push_back(n.acceleration.cwiseAbs2());
+    sum.residual_square += n.residual.cwiseAbs2();
+    sum.acceleration_square += n.acceleration.cwiseAbs2();
+    ++count;
   }
-  if (residuals.size() < 3) return std::nullopt;
-  const std::size_t left_out = std::min(residuals.size() / 3, std::max(residuals.size() / 50, 2 * (reached / step)));
-  const auto trimmed_mean = [left_out](const std::vector<Tangent<G>>& squares) {
-    Tangent<G> mean;
-    std::vector<Scalar> values(squares.size());
-    const std::size_t kept = squares.size() - left_out;
-    for (int row = 0; row < mean.size(); ++row) {
-      std::transform(squares.begin(), squares.end(), values.begin(), [&](const auto& s) { return s[row]; });
-      std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kept - 1), values.end());
-      Scalar sum(0);
-      for (std::size_t i = 0; i < kept; ++i) sum += values[i];
-      mean[row] = sum / static_cast<Scalar>(kept);
-    }
-    return mean;
-  };
-  return MotionAtScale<G>{trimmed_mean(residuals), trimmed_mean(accelerations)};
+  if (count < 3) return std::nullopt;
+  const auto number = static_cast<ScalarOf<G>>(count);
+  return MotionAtScale<G>{sum.residual_square / number, sum.acceleration_square / number};
 }
 
 /// What keeps chosen knots from being further apart.
@@ -124,34 +138,40 @@ struct SplineErrors {
 };
 
 /// How far apart the knots of a curve should be for its rate to be right: the longest interval h of which the error is
-/// below the noise, per component. The cubic through poses at ±h and ±2h is off by h⁴ |x⁗|/6, which gives the errors of
-/// the spline; the noise of its velocity is about 1.5 σ/(h √N), with N poses to a knot. Requires two poses in ascending
-/// order of time.
+/// below the noise, on average over the components of one unit. The cubic through poses at ±h and ±2h is off by h⁴
+/// |x⁗|/6, which gives the errors of the spline; the noise of its velocity is about 1.5 σ/(h √N), with N poses to a
+/// knot. Requires two poses in ascending order of time.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = seconds<double>(poses.back().time - poses.front().time);
   KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), noise_of(poses)};
   const auto good = [&](double h, const MotionAtScale<G>& motion) {
     const double poses_to_a_knot = h / choice.pose_interval;
-    for (int row = 0; row < choice.noise.size(); ++row) {
-      const auto noise = static_cast<double>(choice.noise[row]);
-      // Of the residual r, 17/18 σ² is what noise adds at four even neighbours.
-      const double square = static_cast<double>(motion.residual_square[row]) - 1.944 * noise * noise;
-      if (!(square > 0)) continue;
-      const double acceleration = std::sqrt(static_cast<double>(motion.acceleration_square[row]));
-      const SplineErrors error(order, h * h * acceleration, 6 * std::sqrt(square));
-      const double noise_of_first = 1.5 * noise / std::sqrt(poses_to_a_knot);
-      if (error.first > noise_of_first && error.second > 5e-4 * h * h * acceleration) return false;
-    }
-    return true;
+    bool all = true;
+    TangentUnits<G>::for_each([&](int first, int rows) {
+      const auto mean = [&](const Tangent<G>& squares) {
+        return static_cast<double>(squares.segment(first, rows).mean());
+      };
+      const double noise = mean(choice.noise.cwiseAbs2());
+      // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
+      const auto without_noise = [&](double square, double share) {
+        return std::sqrt(std::max(0., square - share * noise));
+      };
+      const double second = without_noise(std::pow(h, 4) * mean(motion.acceleration_square), 6);
+      const double fourth = 6 * without_noise(mean(motion.residual_square), 35. / 18);
+      const SplineErrors error(order, second, fourth);
+      const bool lost_in_noise = error.first <= 1.5 * std::sqrt(noise / poses_to_a_knot);
+      all = all && (lost_in_noise || error.second <= 5e-4 * second);
+    });
+    return all;
   };
   const double shortest = 1.25 * choice.pose_interval;
   const double longest = std::max(shortest, std::min(64 * choice.pose_interval, span / 8));
   choice.interval = shortest;
+  const UnbrokenPoses<G, Time> unbroken(poses);
   bool any = false;
   for (double h = 2 * choice.pose_interval; h < 1.19 * longest; h *= 1.19) {
-    const auto reached = static_cast<std::size_t>(4 * h / choice.pose_interval);
-    const auto motion = motion_at_scale(poses, std::min(h, longest), reached);
+    const auto motion = motion_at_scale(unbroken, std::min(h, longest));
     if (!motion && !any) continue;
     if (!motion) break;
     if (!good(std::min(h, longest), *motion)) {
