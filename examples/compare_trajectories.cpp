@@ -13,7 +13,7 @@
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
-#include "support/finished_output.hpp"
+#include "support/program.hpp"
 #include "support/python_script.hpp"
 #include "support/trajectory_input.hpp"
 
@@ -27,20 +27,18 @@ Poses read(const TrajectoryInput& input) {
   return std::move(file.poses);
 }
 
-/// False if there is no plot, and the script has said why.
-[[nodiscard]] bool run(const Options& o) {
+void run(const Options& o) {
   const Poses reference = read(o.reference), estimate = read(o.estimate);
   const Comparison comparison = compare(reference, estimate, o);
   print(comparison, reference.size(), estimate.size(), o);
   if (!o.csv.empty()) write_table(o.csv, comparison);
   if (!o.errors.empty()) write_errors(o.errors, comparison);
-  if (o.plot.empty()) return true;
+  if (o.plot.empty()) return;
   try {
     plot(comparison, o);
-  } catch (const ScriptFailed&) {
-    return false;
+  } catch (const ScriptFailed& error) {
+    throw OutputLost(error.what());
   }
-  return true;
 }
 
 void add_options(CLI::App& app, Options& o) {
@@ -137,17 +135,8 @@ int main(int argc, char** argv) {
       "Poses are paired with the nearest in time; the estimate is aligned with the reference if you say how."};
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program("compare_trajectories", app, argc, argv, [&] {
     check(options);
-    if (!run(options)) return 1;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const ScriptFailed&) {  // it has said why
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare_trajectories: %s\n", error.what());
-    return 2;
-  }
-  return finished_output("compare_trajectories");
+    run(options);
+  });
 }

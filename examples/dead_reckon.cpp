@@ -20,8 +20,7 @@
 #include "dead_reckon/options.hpp"
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
-#include "support/finished_output.hpp"
-#include "support/python_script.hpp"
+#include "support/program.hpp"
 #include "support/trajectory_input.hpp"
 
 using namespace splinertia;
@@ -255,18 +254,9 @@ int main(int argc, char** argv) {
       "else biases are those of the trajectory file at the beginning of each window, where it has them."};
   Options options;
   const CLI::Option* gravity = add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program("dead_reckon", app, argc, argv, [&] {
     options.gravity_given = gravity->count() > 0;
     check(options);
     run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const ScriptFailed&) {  // it has said why
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "dead_reckon: %s\n", error.what());
-    return 2;
-  }
-  return finished_output("dead_reckon");
+  });
 }

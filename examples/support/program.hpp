@@ -14,7 +14,12 @@ struct NotAccepted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Parses the options and does the work. Exit codes: 0 done, 1 standard output is lost, 2 bad input or usage, 3 not
+/// Something that was asked for could not be written.
+struct OutputLost : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Parses the options and does the work. Exit codes: 0 done, 1 output is lost, 2 bad input or usage, 3 not
 /// accepted.
 [[nodiscard]] int run_program(const char* name, CLI::App& app, int argc, char** argv, const auto& work) {
   const auto fail = [name](int code, const char* why) {
@@ -27,6 +32,8 @@ struct NotAccepted : std::runtime_error {
     work();
   } catch (const CLI::ParseError& error) {
     if (app.exit(error) != 0) return 2;
+  } catch (const OutputLost& error) {
+    return fail(1, error.what());
   } catch (const NotAccepted& error) {
     return fail(3, error.what());
   } catch (const std::exception& error) {
