@@ -173,7 +173,7 @@ void write_study(const std::filesystem::path& trajectory, const std::filesystem:
                  const std::filesystem::path& output, double interval) {
   using Uniform = Spline<Pose3, 4, UniformKnots<nanoseconds>>;
   using Free = Spline<Pose3, 4, NonUniformKnots<nanoseconds>>;
-  const auto data = read_trajectory(trajectory);
+  const auto data = read_trajectory(trajectory).poses;
   std::vector<Way> ways;
   const auto add = [&](const char* name, const auto& curve) {
     Way way{name, {}};

@@ -211,6 +211,54 @@ function(splinertia_provide package prefix)
   message(STATUS "${package} could not be fetched (--log-level=VERBOSE says why)")
 endfunction()
 
+# Python packages that tests use: module to import | requirement of pip.
+set(splinertia_python_packages
+  "rosbags|rosbags==0.11.*" "numpy|numpy<3" "matplotlib|matplotlib==3.*" "evo|evo==1.38.*" "allantools|allantools==2024.6")
+
+# splinertia_provide_python(<folder> <python>): sets <folder> to one for PYTHONPATH, with programs in its bin/, that holds
+# the packages which <python> lacks, fetched once by pip; to nothing where none is lacking or pip is out of reach.
+function(splinertia_provide_python folder python)
+  set(${folder} "" PARENT_SCOPE)
+  set(modules ${splinertia_python_packages})
+  list(TRANSFORM modules REPLACE "[|].*" "")
+  execute_process(COMMAND "${python}" -c "import sys, importlib.util as u
+print(*sys.version_info[:2], sep='.')
+print(*[m for m in sys.argv[1:] if u.find_spec(m) is None], sep=';', end='')" ${modules}
+    RESULT_VARIABLE failed OUTPUT_VARIABLE text ERROR_QUIET)
+  if(failed)
+    message(STATUS "splinertia's tests skip what needs Python, because ${python} cannot be run")
+    return()
+  endif()
+  string(REGEX MATCH "^[^\n]*" version "${text}")
+  string(REGEX REPLACE "^[^\n]*\n" "" missing "${text}")
+  if(NOT missing)
+    return()
+  endif()
+  list(JOIN missing "|" pattern)
+  set(requirements ${splinertia_python_packages})
+  list(FILTER requirements INCLUDE REGEX "^(${pattern})[|]")
+  list(TRANSFORM requirements REPLACE ".*[|]" "")
+  string(MD5 hash "${requirements}")
+  set(target "${SPLINERTIA_DEPS_DIR}/python${version}-${hash}")
+  file(LOCK "${SPLINERTIA_DEPS_DIR}" DIRECTORY GUARD FUNCTION TIMEOUT 900)
+  list(JOIN missing ", " names)
+  if(NOT EXISTS "${target}")
+    message(STATUS "${python} lacks ${names}, fetching them for the tests (pip)")
+    file(REMOVE_RECURSE "${target}.part")
+    splinertia_run(ok 600 "${python}" -m pip install --quiet --disable-pip-version-check --only-binary ":all:"
+      --target "${target}.part" ${requirements})
+    if(NOT ok)
+      file(REMOVE_RECURSE "${target}.part")
+      message(STATUS "splinertia's tests skip what needs the Python packages ${names}: pip could not fetch them "
+        "(--log-level=VERBOSE says why)")
+      return()
+    endif()
+    file(RENAME "${target}.part" "${target}")
+  endif()
+  message(STATUS "splinertia's tests use the Python packages ${names} in ${target}")
+  set(${folder} "${target}" PARENT_SCOPE)
+endfunction()
+
 # Only names a place to look: the find_package that called us then goes on as usual, with <package>_ROOT set.
 macro(splinertia_provide_dependency method package)
   if("${splinertia_sources}" MATCHES "(^|;)${package}[|]")

@@ -1,94 +1,129 @@
 // SPDX-License-Identifier: MIT
 // How far an estimated trajectory is from a reference: absolute and relative errors of position and attitude (ATE and
-// RPE) after an alignment, with the definitions and the statistics of evo.
+// RPE) after an alignment, with the definitions and the statistics of evo, and drift over lengths as KITTI counts it.
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <map>
-#include <splinertia/io/atomic_file.hpp>
-#include <splinertia/io/trajectory.hpp>
-#include <splinertia/strapdown/trajectory_error.hpp>
-#include <splinertia/units.hpp>
-#include <string>
-#include <vector>
+#include <splinertia/finite.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "compare_trajectories/comparison.hpp"
+#include "compare_trajectories/options.hpp"
+#include "compare_trajectories/output.hpp"
+#include "support/program.hpp"
+#include "support/python_script.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 
 namespace {
 
-struct Options {
-  std::filesystem::path reference, estimate, csv;
-  std::string align = "none";
-  double max_difference = 0.01;
-  double delta = 1;
-  std::string unit = "frames";
-  bool all_pairs = false;
-};
-
-const std::map<std::string, Alignment> alignments{
-    {"none", Alignment::none}, {"origin", Alignment::origin}, {"se3", Alignment::se3}, {"sim3", Alignment::sim3}};
-
-using Pairs = std::vector<PosePair<SO3xR3<double>>>;
-
-struct Row {
-  const char *metric, *part, *unit;
-  ErrorStatistics<double> errors;
-};
-
-IndexPairs index_pairs(const Pairs& pairs, const Options& o) {
-  const PairSelection selection = o.all_pairs ? PairSelection::all : PairSelection::consecutive;
-  if (o.unit == "m") return index_pairs_by_path(pairs, o.delta, selection);
-  if (!(o.delta >= 1 && o.delta <= 1e9) || o.delta != std::floor(o.delta)) {
-    throw std::invalid_argument(message("--delta: ", o.delta, ", expected a whole number of frames from 1 on"));
-  }
-  return index_pairs_by_frames(pairs.size(), static_cast<std::size_t>(o.delta), selection);
-}
-
-void write_table(const std::filesystem::path& path, const std::vector<Row>& rows) {
-  AtomicFile file(path);
-  file.append("metric,part,unit,count,rmse,mean,median,std,min,max,sse\n");
-  for (const auto& [metric, part, unit, e] : rows) {
-    file.append(message(metric, ',', part, ',', unit, ',', e.count));
-    for (const double figure : {e.rmse, e.mean, e.median, e.standard_deviation, e.min, e.max, e.sse}) {
-      file.append(',');
-      file.append_real(figure);
-    }
-    file.append('\n');
-  }
-  file.commit();
+Poses read(const TrajectoryInput& input) {
+  TrajectoryFile file = read_trajectory_input(input);
+  std::fputs(note_lines(input, file).c_str(), stdout);
+  return std::move(file.poses);
 }
 
 void run(const Options& o) {
-  const auto reference = read_trajectory(o.reference), estimate = read_trajectory(o.estimate);
-  const Pairs associated = associate(reference, estimate, o.max_difference);
-  const auto transform = alignment(associated, alignments.at(o.align));
-  const Pairs pairs = transformed(associated, transform);
-  const auto absolute = absolute_errors(pairs);
-  const auto relative = relative_errors(pairs, index_pairs(pairs, o));
-
-  const auto meters = [](const PoseError<double>& e) { return e.translation; };
-  const auto degrees = [](const PoseError<double>& e) { return e.rotation / units::degree; };
-  const std::vector<Row> rows{{"ATE", "translation", "m", error_statistics(absolute, meters)},
-                              {"ATE", "rotation", "deg", error_statistics(absolute, degrees)},
-                              {"RPE", "translation", "m", error_statistics(relative, meters)},
-                              {"RPE", "rotation", "deg", error_statistics(relative, degrees)}};
-
-  std::printf("reference %s: %zu poses\nestimate  %s: %zu poses\n%zu pairs at most %g s apart\n",
-              o.reference.string().c_str(), reference.size(), o.estimate.string().c_str(), estimate.size(),
-              pairs.size(), o.max_difference);
-  const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(transform.rotation) / units::degree;
-  const Eigen::Vector3d& move = transform.translation;
-  std::printf("alignment %s: rotation vector (%.6g %.6g %.6g) deg, translation (%.6g %.6g %.6g) m, scale %.9g\n",
-              o.align.c_str(), turn.x(), turn.y(), turn.z(), move.x(), move.y(), move.z(), transform.scale);
-  std::printf("RPE over %g %s, %s pairs\n\n", o.delta, o.unit.c_str(), o.all_pairs ? "all" : "consecutive");
-  std::puts("error                 count       rmse       mean     median        std        min        max        sse");
-  for (const auto& [metric, part, unit, e] : rows) {
-    std::printf("%s %-11s [%-3s] %5zu %10.4g %10.4g %10.4g %10.4g %10.4g %10.4g %10.4g\n", metric, part, unit, e.count,
-                e.rmse, e.mean, e.median, e.standard_deviation, e.min, e.max, e.sse);
+  const Poses reference = read(o.reference), estimate = read(o.estimate);
+  const Comparison comparison = compare(reference, estimate, o);
+  print(comparison, reference.size(), estimate.size(), o);
+  if (!o.csv.empty()) write_table(o.csv, comparison);
+  if (!o.errors.empty()) write_errors(o.errors, comparison);
+  if (o.plot.empty()) return;
+  try {
+    plot(comparison, o);
+  } catch (const ScriptFailed& error) {
+    throw OutputLost(error.what());
   }
-  if (!o.csv.empty()) write_table(o.csv, rows);
+}
+
+void add_options(CLI::App& app, Options& o) {
+  o.python = default_python();
+  app.add_option("reference", o.reference.file, "trajectory file or ROS bag")->required();
+  app.add_option("estimate", o.estimate.file, "the same, to be compared with it")->required();
+  add_trajectory_options(app, o.reference, nullptr, "reference");
+  add_trajectory_options(app, o.estimate, nullptr, "estimate");
+
+  const char* const time = "Time";
+  app.add_option("--max-difference", o.max_difference, "between the times of a pair [s]")
+      ->capture_default_str()
+      ->group(time);
+  app.add_option("--time-offset", o.time_offset, "to be added to the stamps of the estimate [s]")
+      ->capture_default_str()
+      ->group(time);
+  auto* estimated = app.add_flag("--estimate-time-offset", o.estimate_time_offset,
+                                 "find it, from the angular speeds of both, and add it, too");
+  estimated->group(time);
+  app.add_option("--time-offset-range", o.time_offset_range,
+                 "on both sides of --time-offset, in which it is sought [s]")
+      ->needs(estimated)
+      ->capture_default_str()
+      ->group(time);
+
+  const char* const place = "Alignment";
+  app.add_option("--align", o.align,
+                 "none; origin: the first poses coincide; yaw: heading about z and translation; se3, sim3: least "
+                 "squares of all positions, sim3 with scale")
+      ->check(CLI::IsMember(alignments))
+      ->capture_default_str()
+      ->group(place);
+  app.add_option("--align-poses", o.align_poses, "use only so many pairs for it, from the first on; default: all")
+      ->check(CLI::Range(1, 1000000000))
+      ->group(place);
+
+  const char* const relative = "Relative errors";
+  app.add_option("--delta", o.delta, "that RPE is taken over: frames, seconds, or metres of the estimate's path")
+      ->capture_default_str()
+      ->group(relative);
+  app.add_option("--delta-unit", o.unit, "of that")
+      ->check(CLI::IsMember({"frames", "s", "m"}))
+      ->capture_default_str()
+      ->group(relative);
+  app.add_flag("--all-pairs", o.all_pairs, "take RPE from every pose on, overlapping, not one after the other")
+      ->group(relative);
+  app.add_option("--lengths", o.lengths, "of the reference's path, that drift is taken over [m]")
+      ->capture_default_str()
+      ->group(relative);
+
+  const char* const files = "Files";
+  app.add_option("--csv", o.csv, "also write the table to this file, with all digits")->group(files);
+  app.add_option("--errors", o.errors, "write the absolute errors of all pairs to this file (csv)")->group(files);
+  app.add_option("--plot", o.plot, "draw paths and errors: .png or .svg; needs Python with matplotlib")->group(files);
+  app.add_option("--python", o.python, "for the plot; default: $SPLINERTIA_PYTHON or python3")
+      ->capture_default_str()
+      ->group(files);
+}
+
+void check(const Options& o) {
+  if (o.unit == "frames" && !(o.delta >= 1 && o.delta <= 1e9 && o.delta == std::floor(o.delta))) {
+    throw std::invalid_argument(message("--delta: ", o.delta, ", expected a whole number of frames from 1 on"));
+  }
+  if (!(o.delta > 0) || !is_finite(o.delta)) {
+    throw std::invalid_argument(message("--delta: ", o.delta, ' ', o.unit, ", expected a number > 0"));
+  }
+  if (!(std::abs(o.time_offset) <= 1e9)) {
+    throw std::invalid_argument(message("--time-offset: ", o.time_offset, ", expected -1e9 to 1e9 seconds"));
+  }
+  if (!(o.time_offset_range > 0 && o.time_offset_range <= 1000)) {
+    throw std::invalid_argument(
+        message("--time-offset-range: ", o.time_offset_range, ", expected a number of seconds > 0, up to 1000"));
+  }
+  if (o.align_poses && (o.align == "none" || o.align == "origin")) {
+    throw std::invalid_argument(
+        message("--align-poses: --align ", o.align, " has no use for it, expected yaw, se3 or sim3"));
+  }
+  for (const double length : o.lengths) {
+    if (!(length > 0) || !is_finite(length)) {
+      throw std::invalid_argument(message("--lengths: ", length, ", expected numbers of metres > 0"));
+    }
+  }
+  if (!o.plot.empty() && o.plot.extension() != ".png" && o.plot.extension() != ".svg") {
+    throw std::invalid_argument(message("--plot: ", o.plot.string(), ", expected a name that ends in .png or .svg"));
+  }
 }
 
 }  // namespace
@@ -96,29 +131,12 @@ void run(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Compares two trajectories and prints the statistics of absolute (ATE) and relative (RPE) errors, in metres and "
-      "degrees, as evo_ape and evo_rpe define them.\n\n"
+      "degrees, as evo_ape and evo_rpe define them, and drift over lengths of path, as KITTI does.\n\n"
       "Poses are paired with the nearest in time; the estimate is aligned with the reference if you say how."};
-  Options o;
-  app.add_option("reference", o.reference, "TUM or EuRoC trajectory, recognised by its content")->required();
-  app.add_option("estimate", o.estimate, "the same, to be compared with it")->required();
-  app.add_option("--align", o.align,
-                 "none; origin: the first poses coincide; se3, sim3: least squares of all positions, sim3 with scale")
-      ->check(CLI::IsMember(alignments))
-      ->capture_default_str();
-  app.add_option("--max-difference", o.max_difference, "between the times of a pair [s]")->capture_default_str();
-  app.add_option("--delta", o.delta, "that RPE is taken over: a number of frames, or metres of the estimate's path")
-      ->capture_default_str();
-  app.add_option("--delta-unit", o.unit, "of that")->check(CLI::IsMember({"frames", "m"}))->capture_default_str();
-  app.add_flag("--all-pairs", o.all_pairs, "take RPE from every pose on, overlapping, not one after the other");
-  app.add_option("--csv", o.csv, "also write the table to this file, with all digits");
-  try {
-    app.parse(argc, argv);
-    run(o);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare_trajectories: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  Options options;
+  add_options(app, options);
+  return run_program("compare_trajectories", app, argc, argv, [&] {
+    check(options);
+    run(options);
+  });
 }

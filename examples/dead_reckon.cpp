@@ -12,108 +12,21 @@
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc.hpp>
-#include <splinertia/io/text_file.hpp>
-#include <splinertia/io/trajectory.hpp>
 #include <splinertia/splinertia.hpp>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "dead_reckon/options.hpp"
+#include "dead_reckon/setup.hpp"
+#include "dead_reckon/truth.hpp"
+#include "support/program.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
 namespace {
-
-struct Options {
-  std::filesystem::path imu, trajectory, csv;
-  std::string scheme = "midpoint";
-  std::vector<double> windows{1, 5, 10};
-  std::vector<double> gravity{0, 0, -9.80665};
-  double longest_gap = 0.1;
-  bool bridge = false, keep_biases = false;
-
-  Eigen::Vector3d gravity_vector() const {
-    return gravity.size() == 1 ? Eigen::Vector3d(0, 0, -gravity[0]) : Eigen::Vector3d(gravity.data());
-  }
-};
-
-using State = NavState<double, nanoseconds>;
-
-/// What is known to be true at a time.
-struct Truth {
-  State state;
-  ImuBias<double> bias;
-};
-
-/// What a trajectory file says, in the order of time.
-struct Trajectory {
-  std::vector<Truth> rows;
-  bool with_states;  // velocities and biases are in the file, else velocities are from its poses, biases unknown
-};
-
-Trajectory states_of(const std::vector<EurocState>& states) {
-  Trajectory result{{}, true};
-  for (const EurocState& s : states) {
-    result.rows.push_back({{rotation(s.pose), s.velocity, position(s.pose), s.time}, {s.gyro_bias, s.accel_bias}});
-  }
-  return result;
-}
-
-/// Velocities are those of the parabola through a pose and its neighbours; a pose without two near ones is left out.
-Trajectory states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double longest_gap) {
-  Trajectory result{{}, false};
-  for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
-    const auto& [t0, x0] = poses[i - 1];
-    const auto& [t1, x1] = poses[i];
-    const auto& [t2, x2] = poses[i + 1];
-    const double h0 = seconds<double>(t1 - t0), h1 = seconds<double>(t2 - t1);
-    if (h0 > longest_gap || h1 > longest_gap) continue;
-    const Eigen::Vector3d v0 = (position(x1) - position(x0)) / h0, v1 = (position(x2) - position(x1)) / h1;
-    result.rows.push_back({{rotation(x1), (h1 * v0 + h0 * v1) / (h0 + h1), position(x1), t1}, ImuBias<double>{}});
-  }
-  return result;
-}
-
-/// Whether every row of a EuRoC file has velocities and biases: readers see to it that all are of one length.
-bool has_states(const std::filesystem::path& path) {
-  TextFile file(path);
-  std::vector<std::string_view> fields;
-  if (file.next()) split_fields(file.line(), fields);
-  return fields.size() == euroc_groundtruth_columns.size();
-}
-
-Trajectory read_truth(const Options& o) {
-  const bool euroc = recognize_trajectory(o.trajectory) == TrajectoryFormat::euroc;
-  const Trajectory truth = euroc && has_states(o.trajectory) ? states_of(read_euroc_groundtruth(o.trajectory))
-                                                             : states_of(read_trajectory(o.trajectory), o.longest_gap);
-  if (truth.rows.empty()) {
-    throw std::runtime_error(message(o.trajectory.string(), ": expected three poses in a row that are at most ",
-                                     o.longest_gap, " s apart, to have a velocity (--longest-gap)"));
-  }
-  return truth;
-}
-
-/// The truth at a time: between two rows the cubic of their positions and velocities, and linear in the rest; nothing
-/// outside the rows or in a gap between them.
-std::optional<Truth> at(const Trajectory& truth, nanoseconds time, double longest_gap) {
-  const auto& rows = truth.rows;
-  const auto after = std::ranges::lower_bound(rows, time, {}, [](const Truth& row) { return row.state.time; });
-  if (after == rows.end()) return std::nullopt;
-  if (after->state.time == time) return *after;
-  if (after == rows.begin()) return std::nullopt;
-  const State &a = (after - 1)->state, &b = after->state;
-  const ImuBias<double>&bias_a = (after - 1)->bias, &bias_b = after->bias;
-  const double h = seconds<double>(b.time - a.time);
-  if (h > longest_gap) return std::nullopt;
-  const double s = seconds<double>(time - a.time) / h, r = 1 - s;
-  const auto mix = [s, r](const Eigen::Vector3d& x, const Eigen::Vector3d& y) -> Eigen::Vector3d {
-    return r * x + s * y;
-  };
-  const Sophus::SO3d R_WB = a.R_WB * GroupTraits<Sophus::SO3d>::exp(s * increment(a.R_WB, b.R_WB));
-  const Eigen::Vector3d p_WB = a.p_WB + s * s * (1 + 2 * r) * (b.p_WB - a.p_WB) + h * s * r * (r * a.v_WB - s * b.v_WB);
-  return Truth{{R_WB, mix(a.v_WB, b.v_WB), p_WB, time},
-               {mix(bias_a.gyro, bias_b.gyro), mix(bias_a.accel, bias_b.accel)}};
-}
 
 /// How a scheme does over windows of one length.
 struct Row {
@@ -125,13 +38,25 @@ struct Row {
 
 using Samples = std::vector<EurocImu>;
 
+struct Inputs {
+  Samples samples;
+  TrueStates truth;
+  Setup setup;
+};
+
 /// The error at the end of the window that begins with samples[first], where the truth is `start`.
 template <typename Scheme>
-void reckon_window(const Samples& samples, std::size_t first, std::size_t last, const Truth& start, const State& end,
+void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const Truth& start, const State& end,
                    const Options& o, Row& row) {
-  const ImuBias<double> bias = o.keep_biases ? ImuBias<double>{} : start.bias;
+  const Samples& samples = in.samples;
+  const Setup& setup = in.setup;
+  const ImuBias<double> bias{setup.gyro_bias.value_or(start.bias.gyro), setup.accel_bias.value_or(start.bias.accel)};
+  // The body turns as the IMU on it does.
+  State state = imu_state(start.state, setup.arm, setup.arm.R_BI * (samples[first].gyro - bias.gyro));
+  state.time = samples[first].time;
+  const State truth = imu_state(end, setup.arm, Eigen::Vector3d::Zero());  // its velocity is not looked at
   const GapOptions<double> gaps{o.longest_gap, o.bridge ? GapPolicy::bridge : GapPolicy::refuse};
-  Integrator<Scheme, double, nanoseconds> integrator(start.state, o.gravity_vector(), gaps);
+  Integrator<Scheme, double, nanoseconds> integrator(state, setup.gravity, gaps);
   try {
     for (std::size_t i = first; i <= last; ++i) {
       integrator.push(TimedImuSample<double, nanoseconds>{samples[i].time, samples[i].gyro - bias.gyro,
@@ -142,21 +67,25 @@ void reckon_window(const Samples& samples, std::size_t first, std::size_t last, 
     throw std::runtime_error(message(o.imu.string(), ": in the window of ", row.window, " s that begins at ",
                                      samples[first].time.count(), ": ", error.what()));
   }
-  const State& state = integrator.state();
+  const State& reckoned = integrator.state();
   row.gaps += integrator.gaps();
-  row.position.push_back((state.p_WB - end.p_WB).norm());
-  row.attitude.push_back(increment(end.R_WB, state.R_WB).norm() / units::degree);
+  row.position.push_back((reckoned.p_WB - truth.p_WB).norm());
+  row.attitude.push_back(increment(truth.R_WB, reckoned.R_WB).norm() / units::degree);
 }
 
 /// Cuts the samples into windows, each beginning where the last one ends, and integrates each from the truth there. A
 /// window ends with the sample nearest to its length, if that is so to within 1 %.
 template <typename Scheme>
-Row reckon(const Samples& samples, const Trajectory& truth, double window, const Options& o) {
+Row reckon(const Inputs& in, double window, const Options& o) {
+  const Samples& samples = in.samples;
+  const auto truth_at = [&](nanoseconds time) {
+    return at(in.truth, after(time, in.setup.time_offset), o.longest_gap);
+  };
   Row row{window};
   std::size_t first = 0;
   while (first + 1 < samples.size()) {
     const nanoseconds begin = samples[first].time, target = after(begin, window);
-    const auto start = at(truth, begin, o.longest_gap);
+    const auto start = truth_at(begin);
     if (!start) {
       ++first;
       continue;
@@ -169,9 +98,9 @@ Row reckon(const Samples& samples, const Trajectory& truth, double window, const
     if (last == samples.size()) break;
     const bool as_long = std::abs(seconds<double>(samples[last].time - target)) <= 0.01 * window;
     if (!as_long && next == samples.end()) break;  // what is left over
-    const auto end = at(truth, samples[last].time, o.longest_gap);
+    const auto end = truth_at(samples[last].time);
     if (as_long && end) {
-      reckon_window<Scheme>(samples, first, last, *start, end->state, o, row);
+      reckon_window<Scheme>(in, first, last, *start, end->state, o, row);
     } else {
       ++row.skipped;
     }
@@ -181,13 +110,13 @@ Row reckon(const Samples& samples, const Trajectory& truth, double window, const
     const auto span = [](nanoseconds from, nanoseconds to) { return message(from.count(), " to ", to.count(), " ns"); };
     throw std::runtime_error(message("no window of ", window, " s in which both files have data: ", o.imu.string(),
                                      " is from ", span(samples.front().time, samples.back().time), ", ",
-                                     o.trajectory.string(), " from ",
-                                     span(truth.rows.front().state.time, truth.rows.back().state.time)));
+                                     o.trajectory.file.string(), " from ",
+                                     span(in.truth.rows.front().state.time, in.truth.rows.back().state.time)));
   }
   return row;
 }
 
-const std::map<std::string, Row (*)(const Samples&, const Trajectory&, double, const Options&)> schemes{
+const std::map<std::string, Row (*)(const Inputs&, double, const Options&)> schemes{
     {"euler", reckon<Euler>},       {"zero-order-hold", reckon<ZeroOrderHold>},
     {"midpoint", reckon<Midpoint>}, {"trapezoid", reckon<Trapezoid>},
     {"rk4", reckon<RungeKutta4>},   {"rk4-double-step", reckon<RungeKutta4DoubleStep>},
@@ -234,18 +163,20 @@ void print_table(const std::vector<Row>& rows) {
 }
 
 void run(const Options& o) {
-  const Samples samples = read_euroc_imu(o.imu);
-  const Trajectory truth = read_truth(o);
+  Inputs in{read_euroc_imu(o.imu), read_truth(o), {}};
+  const auto& [samples, truth, used] = in;
+  in.setup = setup(o, truth.with_biases);
+  std::fputs(truth.notes.c_str(), stdout);
   std::printf("%s: %zu samples over %g s\n%s: %zu %s over %g s\n", o.imu.string().c_str(), samples.size(),
-              seconds<double>(samples.back().time - samples.front().time), o.trajectory.string().c_str(),
-              truth.rows.size(), truth.with_states ? "states" : "poses between others",
+              seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
+              truth.rows.size(), truth.with_velocities ? "states" : "poses between others",
               seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
   std::vector<Row> rows;
-  for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(samples, truth, window, o));
+  for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(in, window, o));
 
-  std::printf("%s, velocities %s, biases %s\n\n", o.scheme.c_str(),
-              truth.with_states ? "of the trajectory file" : "from its poses",
-              o.keep_biases || !truth.with_states ? "not removed" : "as the trajectory file has them removed");
+  std::printf("%s, velocities %s, %s\n%s\n", o.scheme.c_str(),
+              truth.with_velocities ? "of the trajectory file" : "from its poses", bias_text(used).c_str(),
+              mounting_text(used).c_str());
   print_table(rows);
   for (const Row& row : rows) {
     if (row.gaps > 0) {
@@ -266,13 +197,49 @@ void check(const Options& o) {
       throw std::invalid_argument(message("--windows: ", window, ", expected positive numbers of seconds, up to 1e6"));
     }
   }
-  if (o.gravity.size() == 2) throw std::invalid_argument("--gravity: 2 numbers, expected 1 or 3");
-  for (const double g : o.gravity) {
-    if (!is_finite(g)) throw std::invalid_argument(message("--gravity: ", g, ", expected finite numbers"));
-  }
   if (!(o.longest_gap > 0)) {
     throw std::invalid_argument(message("--longest-gap: ", o.longest_gap, ", expected a positive number of seconds"));
   }
+  const std::pair<const std::optional<Eigen::Vector3d>&, const char*> vectors[] = {
+      {o.gyro_bias, "--gyro-bias"}, {o.accel_bias, "--accel-bias"}, {o.lever_arm, "--lever-arm"}};
+  for (const auto& [vector, name] : vectors) {
+    if (vector && !vector->allFinite()) {
+      throw std::invalid_argument(
+          message(name, ": ", vector->x(), ' ', vector->y(), ' ', vector->z(), ", expected finite numbers"));
+    }
+  }
+}
+
+void add_vector(CLI::App& app, const char* name, std::optional<Eigen::Vector3d>& vector, const char* description) {
+  app.add_option_function<std::vector<double>>(
+         name, [&vector](const std::vector<double>& numbers) { vector.emplace(numbers.data()); }, description)
+      ->expected(3)
+      ->check(CLI::Number)
+      ->type_name("X Y Z");
+}
+
+CLI::Option* add_options(CLI::App& app, Options& o) {
+  app.add_option("imu", o.imu, "EuRoC IMU samples: ns wx wy wz ax ay az, commas or blanks between")->required();
+  app.add_option("trajectory", o.trajectory.file, "trajectory of the IMU, or of the body it is on: a file or a ROS bag")
+      ->required();
+  add_trajectory_options(app, o.trajectory);
+  app.add_option("--scheme", o.scheme, "integration scheme")->check(CLI::IsMember(schemes))->capture_default_str();
+  app.add_option("--windows", o.windows, "lengths [s]")->capture_default_str();
+  app.add_option("--calibration", o.calibration,
+                 "file that fit_trajectory writes: biases, gravity, mounting and time offset of the IMU");
+  add_vector(app, "--gyro-bias", o.gyro_bias, "to be subtracted from the samples [rad/s]");
+  add_vector(app, "--accel-bias", o.accel_bias, "and [m/s^2]");
+  add_vector(app, "--lever-arm", o.lever_arm, "p_BI: the IMU in the body whose poses the trajectory has [m]");
+  app.add_flag("--keep-biases", o.keep_biases, "do not remove the biases of the trajectory or the calibration file")
+      ->excludes("--gyro-bias")
+      ->excludes("--accel-bias");
+  CLI::Option* gravity = add_gravity_option(app, o.gravity);
+  app.add_option("--longest-gap", o.longest_gap,
+                 "between samples, and between poses [s]; a longer one of samples is refused, of poses has no truth")
+      ->capture_default_str();
+  app.add_flag("--bridge-gaps", o.bridge, "integrate across longer ones of samples, and count them");
+  app.add_option("--csv", o.csv, "also write the table to this file");
+  return gravity;
 }
 
 }  // namespace
@@ -281,34 +248,15 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Integrates the IMU samples of a file over windows, each from the true state of a trajectory file, and prints "
       "how far off the ends are.\n\n"
-      "Velocities are those of the trajectory file where it has them (EuRoC ground truth of 17 columns), and its "
-      "biases "
-      "at the beginning of each window are removed; else velocities come from its poses, and no biases are removed."};
-  Options o;
-  app.add_option("imu", o.imu, "EuRoC IMU samples: ns wx wy wz ax ay az, commas or blanks between")->required();
-  app.add_option("trajectory", o.trajectory, "EuRoC ground truth or TUM poses of the IMU")->required();
-  app.add_option("--scheme", o.scheme, "integration scheme")->check(CLI::IsMember(schemes))->capture_default_str();
-  app.add_option("--windows", o.windows, "lengths [s]")->capture_default_str();
-  app.add_option("--gravity", o.gravity,
-                 "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
-      ->expected(1, 3)
-      ->check(CLI::Number)
-      ->capture_default_str();
-  app.add_option("--longest-gap", o.longest_gap,
-                 "between samples, and between poses [s]; a longer one of samples is refused, of poses has no truth")
-      ->capture_default_str();
-  app.add_flag("--bridge-gaps", o.bridge, "integrate across longer ones of samples, and count them");
-  app.add_flag("--keep-biases", o.keep_biases, "do not remove the biases of the trajectory file");
-  app.add_option("--csv", o.csv, "also write the table to this file");
-  try {
-    app.parse(argc, argv);
-    check(o);
-    run(o);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "dead_reckon: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+      "Velocities are those of the trajectory file where it has them (EuRoC ground truth of 17 columns), else they "
+      "come "
+      "from its poses. Biases, gravity and the lever arm are taken from their options, else from the calibration file; "
+      "else biases are those of the trajectory file at the beginning of each window, where it has them."};
+  Options options;
+  const CLI::Option* gravity = add_options(app, options);
+  return run_program("dead_reckon", app, argc, argv, [&] {
+    options.gravity_given = gravity->count() > 0;
+    check(options);
+    run(options);
+  });
 }

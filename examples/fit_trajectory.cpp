@@ -3,22 +3,24 @@
 // along it would read, and a report that says how far to trust it.
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <optional>
-#include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/io/trajectory.hpp>
-#include <splinertia/require.hpp>
+#include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "fit_trajectory/files.hpp"
 #include "fit_trajectory/options.hpp"
-#include "fit_trajectory/report.hpp"
+#include "support/extremes.hpp"
+#include "support/fit_report.hpp"
+#include "support/formatted.hpp"
+#include "support/program.hpp"
+#include "support/progress.hpp"
 #include "support/python_script.hpp"
+#include "support/sampling_rate.hpp"
+#include "support/trajectory_input.hpp"
 
 using namespace splinertia;
 
@@ -34,157 +36,75 @@ void plot(const Options& o) {
   }
 }
 
-void run(const Options& o) {
-  const Poses poses = read_trajectory(o.trajectory);
-  if (poses.size() < 2) {
-    throw std::runtime_error(message(o.trajectory.string(), ": ", poses.size(), " poses, expected at least 2"));
+void run(Options& o) {
+  const FitInput input = read_fit_input(o.input);
+  if (!input.poses.empty()) {
+    check_sampling_rate(o.rate, seconds<double>(input.poses.back().time - input.poses.front().time));
   }
-  const double readings = o.rate * seconds<double>(poses.back().time - poses.front().time);
-  if (!(readings <= 1e8)) {
-    throw std::invalid_argument(message("--rate: ", o.rate, " Hz gives ", readings, " readings, expected at most 1e8"));
+  const FitImu* imu = o.imu.file.empty() ? nullptr : &o.imu;
+  if (imu) {
+    o.imu.samples = read_euroc_imu(o.imu.file);
+    o.imu.gravity = o.gravity.vector;
   }
-  const std::vector<EurocImu> samples = o.imu.empty() ? std::vector<EurocImu>{} : read_euroc_imu(o.imu);
-  const FittedTrajectory fitted = o.group == "split" ? fit_trajectory<SO3xR3<double>>(poses, samples, o)
-                                                     : fit_trajectory<Sophus::SE3d>(poses, samples, o);
-  const std::string text = report(poses, samples.size(), fitted, o);
-  const std::vector<std::string> names = write_files(fitted, text, o);
-  std::fputs(text.c_str(), stdout);
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  const FittedTrajectory fitted = fit_trajectory(input, o.fit, imu);
+  const Extremes found = extremes(input.poses, fitted, o.gravity.vector, o.rate);
+  const std::string report = fit_report(input, fitted, o.fit, imu, found);
+  if (const std::string reason = not_converged(fitted, o.fit); !reason.empty() && !o.fit.accept) {
+    std::fputs(report.c_str(), stdout);
+    throw NotAccepted(reason + "; nothing is written (--accept takes the result as it is)");
   }
-  std::printf("\nwrote %s to %s\n", list.c_str(), o.output.string().c_str());
+  const WrittenFiles written = write_files(fitted, report, o);
+  std::fputs(report.c_str(), stdout);
+  std::printf("\n%swrote %s to %s\n", written.note.c_str(), list_of(written.names).c_str(), o.output.string().c_str());
   if (!o.no_plot) plot(o);
+}
+
+void add_imu_options(CLI::App& app, FitImu& imu) {
+  const char* const group = "An IMU that was there";
+  auto* file = app.add_option("--imu", imu.file, "its samples: EuRoC imu csv, commas or blanks; calibrates it");
+  file->group(group);
+  auto* gyro = app.add_option("--gyro-deviation", imu.gyro_deviation,
+                              "standard deviation of a sample [rad/s]; default: found in the residuals");
+  auto* accel = app.add_option("--accel-deviation", imu.accel_deviation, "and [m/s^2]");
+  gyro->needs(accel)->needs(file)->group(group);
+  accel->needs(gyro)->group(group);
+  app.add_flag("--estimate-lever-arm", imu.estimate_lever_arm, "where it is in the body")->needs(file)->group(group);
+  app.add_flag("--estimate-time-offset", imu.estimate_time_offset, "between its clock and the trajectory's")
+      ->needs(file)
+      ->group(group);
+  app.add_flag("--fit-imu", imu.fit_together, "fit the curve to its samples, too; needs their deviations")
+      ->needs(file)
+      ->needs(gyro)
+      ->group(group);
 }
 
 void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
-  app.add_option("trajectory", o.trajectory, "TUM or EuRoC trajectory, recognised by its content")->required();
-  app.add_option("--order", o.order, "of the spline: degree + 1")->check(CLI::Range(4, 6))->capture_default_str();
-  app.add_option("--group", o.group, "split is SO(3) x R^3, se3 is SE(3)")
-      ->check(CLI::IsMember({"split", "se3"}))
-      ->capture_default_str();
+  auto* trajectory = app.add_option("trajectory", o.input.file, "trajectory of any format below, or a ROS bag");
+  trajectory->required();
   app.add_option("-o,--output", o.output,
                  "folder for control_points.csv, knots.csv, residuals.csv, gaps.csv, derived_imu.csv (EuRoC), "
-                 "imu_residuals.csv, smoothed.tum, report.txt, fit.png and .svg")
+                 "imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg")
       ->capture_default_str();
   app.add_option("--rate", o.rate, "of derived_imu.csv [Hz]")->capture_default_str();
-  app.add_option("--gravity", o.gravity,
-                 "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
-      ->expected(1, 3)
-      ->check(CLI::Number)
-      ->capture_default_str();
+  app.add_flag("--keep-holes", o.keep_holes, "keep the readings where there are no poses, which are invented");
+  add_gravity_option(app, o.gravity);
   app.add_flag("--no-plot", o.no_plot, "no fit.png and .svg, which need Python with matplotlib");
   app.add_option("--python", o.python, "for the plot; default: $SPLINERTIA_PYTHON or python3")->capture_default_str();
-
-  const char* const knots = "Knots, one of";
-  app.add_option("--knot-interval", o.knot_interval,
-                 "so far apart [s]; default: 0.05, or where poses are sparse two of their intervals")
-      ->group(knots);
-  app.add_option("--goal-position", o.goal_position,
-                 "the furthest apart with at most these residuals, rms of each axis [m]")
-      ->group(knots);
-  app.add_option("--goal-rotation", o.goal_rotation, "goes with it [rad]")->group(knots);
-  app.add_flag("--adaptive", o.adaptive, "closer where the motion asks for it, to meet these goals everywhere")
-      ->group(knots);
-  app.add_flag("--cross-validate", o.cross_validate, "as they predict poses best that were left out")->group(knots);
-  app.add_flag("--interpolate", o.interpolate, "at the poses: the curve goes through every one")->group(knots);
-
-  const char* const fit = "What the fit believes";
-  app.add_option("--loss", o.loss, "of residuals")
-      ->check(CLI::IsMember({"squares", "huber", "cauchy"}))
-      ->capture_default_str()
-      ->group(fit);
-  auto* position = app.add_option("--deviation-position", o.position_deviation,
-                                  "standard deviation of a pose's position [m]; default: found in the residuals");
-  auto* rotation = app.add_option("--deviation-rotation", o.rotation_deviation, "and of its rotation [rad]");
-  position->needs(rotation)->group(fit);
-  rotation->needs(position)->group(fit);
-  auto* smooth_position = app.add_option("--smooth-position", o.position_density,
-                                         "as if the derivative were white noise of this density [m/s^2/sqrt(Hz)], or "
-                                         "[m/s^3/sqrt(Hz)]; for smoothness, or knots closer than poses");
-  auto* smooth_rotation =
-      app.add_option("--smooth-rotation", o.rotation_density, "and [rad/s^2/sqrt(Hz)], or [rad/s^3/sqrt(Hz)]");
-  smooth_position->needs(smooth_rotation)->needs(position)->group(fit);
-  smooth_rotation->needs(smooth_position)->group(fit);
-  app.add_option("--smooth-derivative", o.smooth_derivative, "2: acceleration, 3: jerk")
-      ->check(CLI::Range(2, 3))
-      ->needs(smooth_position)
-      ->capture_default_str()
-      ->group(fit);
-  app.add_option("--outlier-limit", o.outlier_limit, "standard deviations from which on a pose is reported")
-      ->capture_default_str()
-      ->group(fit);
-  app.add_option("--most-iterations", o.most_iterations, "linear systems to solve")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str()
-      ->group(fit);
-
-  const char* const imu_group = "An IMU that was there";
-  auto* imu = app.add_option("--imu", o.imu, "its samples: EuRoC imu csv, commas or blanks; calibrates it");
-  imu->group(imu_group);
-  auto* gyro = app.add_option("--gyro-deviation", o.gyro_deviation,
-                              "standard deviation of a sample [rad/s]; default: found in the residuals");
-  auto* accel = app.add_option("--accel-deviation", o.accel_deviation, "and [m/s^2]");
-  gyro->needs(accel)->needs(imu)->group(imu_group);
-  accel->needs(gyro)->group(imu_group);
-  app.add_flag("--estimate-lever-arm", o.estimate_lever_arm, "where it is in the body")->needs(imu)->group(imu_group);
-  app.add_flag("--estimate-time-offset", o.estimate_time_offset, "between its clock and the trajectory's")
-      ->needs(imu)
-      ->group(imu_group);
-  app.add_flag("--fit-imu", o.fit_imu, "fit the curve to its samples, too; needs their deviations")
-      ->needs(imu)
-      ->needs(gyro)
-      ->group(imu_group);
+  add_trajectory_options(app, o.input);
+  add_fit_options(app, o.fit, trajectory);
+  add_imu_options(app, o.imu);
 }
 
 void check(const Options& o) {
-  if (o.goal_position.has_value() != o.goal_rotation.has_value()) {
-    throw std::invalid_argument("--goal-position and --goal-rotation: expected both or none");
-  }
-  if (o.adaptive && !o.goal_position) {
+  check(o.fit);
+  if (o.imu.fit_together && (o.fit.adaptive || o.fit.interpolate)) {
     throw std::invalid_argument(
-        "--adaptive: expected --goal-position and --goal-rotation, which the knots have to meet");
+        message("--fit-imu and ", o.fit.adaptive ? "--adaptive" : "--interpolate", ": expected uniform knots"));
   }
-  const std::pair<bool, const char*> ways[] = {{o.knot_interval.has_value(), "--knot-interval"},
-                                               {o.goal_position && !o.adaptive, "--goal-position"},
-                                               {o.adaptive, "--adaptive"},
-                                               {o.cross_validate, "--cross-validate"},
-                                               {o.interpolate, "--interpolate"}};
-  const char* chosen = nullptr;
-  for (const auto& [given, name] : ways) {
-    if (!given) continue;
-    if (chosen) throw std::invalid_argument(message(chosen, " and ", name, ": expected one way to place knots"));
-    chosen = name;
-  }
-  if (o.interpolate && o.order % 2 != 0) {
-    throw std::invalid_argument(message("--interpolate: order ", o.order, ", expected an even one"));
-  }
-  if (o.interpolate && (o.position_deviation || o.position_density)) {
-    throw std::invalid_argument("--interpolate: expected no deviations and no smoothness, the curve takes every pose");
-  }
-  if (o.fit_imu && (o.adaptive || o.interpolate)) {
-    throw std::invalid_argument(message("--fit-imu and ", chosen, ": expected uniform knots"));
-  }
-  if (o.knot_interval && !(*o.knot_interval >= 1e-6 && *o.knot_interval <= 1e6)) {
-    throw std::invalid_argument(message("--knot-interval: ", *o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
-  }
-  const std::pair<std::optional<double>, const char*> numbers[] = {{o.goal_position, "--goal-position"},
-                                                                   {o.goal_rotation, "--goal-rotation"},
-                                                                   {o.position_deviation, "--deviation-position"},
-                                                                   {o.rotation_deviation, "--deviation-rotation"},
-                                                                   {o.position_density, "--smooth-position"},
-                                                                   {o.rotation_density, "--smooth-rotation"},
-                                                                   {o.gyro_deviation, "--gyro-deviation"},
-                                                                   {o.accel_deviation, "--accel-deviation"},
-                                                                   {o.rate, "--rate"},
-                                                                   {o.outlier_limit, "--outlier-limit"}};
-  for (const auto& [number, name] : numbers) {
-    if (number && !(*number > 0 && is_finite(*number))) {
-      throw std::invalid_argument(message(name, ": ", *number, ", expected a finite number > 0"));
-    }
-  }
-  if (o.gravity.size() == 2) throw std::invalid_argument("--gravity: 2 numbers, expected 1 or 3");
+  check_positive("--gyro-deviation", o.imu.gyro_deviation);
+  check_positive("--accel-deviation", o.imu.accel_deviation);
+  check_sampling_rate(o.rate, 0);
 }
 
 }  // namespace
@@ -195,15 +115,8 @@ int main(int argc, char** argv) {
       "and says how far it is from the poses, which of them lie off, and where nothing holds it."};
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program("fit_trajectory", app, argc, argv, [&] {
     check(options);
     run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "fit_trajectory: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  });
 }

@@ -74,7 +74,7 @@ void study_motion(Table& table, const std::string& scene, const Motion& motion, 
 
 /// Poses from a file, in seconds from the first on.
 Poses measured_poses(const std::filesystem::path& file) {
-  const auto stamped = splinertia::read_trajectory(file);
+  const auto stamped = splinertia::read_trajectory(file).poses;
   Poses poses;
   for (const auto& [time, pose] : stamped) {
     poses.push_back({splinertia::seconds<double>(time - stamped.front().time), pose});

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <deque>
+#include <splinertia/imu/simulate.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/tum.hpp>
 #include <system_error>
 
-#include "report.hpp"
+#include "files.hpp"
+#include "support/calibration_file.hpp"
+#include "support/formatted.hpp"
+#include "support/progress.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -26,16 +30,17 @@ void append_row(AtomicFile& file, nanoseconds time, const auto&... vectors) {
 /// Behind its comments it is EuRoC ground truth of 8 columns.
 void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, const Options& o) {
   file.append(message("# cumulative B-spline: p and q of control points T_WB, at the times that they belong to\n",
-                      "# group: ", o.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.order, '\n'));
+                      "# group: ", o.fit.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.fit.order, '\n'));
   if (fitted.interval) {
-    file.append(message(
-        "# knots: uniform\n# start [ns]: ", fitted.start.count(), "\n# interval [ns]: ", fitted.interval->count(),
-        "\n# segment s = 0, 1, ... begins at start + s*interval and uses control points s to s + ", o.order - 1, '\n'));
+    file.append(message("# knots: uniform\n# start [ns]: ", fitted.curve.start().count(),
+                        "\n# interval [ns]: ", fitted.interval->count(),
+                        "\n# segment s = 0, 1, ... begins at start + s*interval and uses control points s to s + ",
+                        o.fit.order - 1, '\n'));
   } else {
-    file.append(message("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.start.count(),
-                        "\n# from knot i to knot i + 1 it uses control points i - ", o.order - 1, " to i\n"));
+    file.append(message("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.curve.start().count(),
+                        "\n# from knot i to knot i + 1 it uses control points i - ", o.fit.order - 1, " to i\n"));
   }
-  file.append(message("# end [ns]: ", fitted.end.count(),
+  file.append(message("# end [ns]: ", fitted.curve.end().count(),
                       "\n#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n"));
   for (const auto& [time, pose] : fitted.control_points) {
     const Eigen::Quaterniond& q = rotation(pose).unit_quaternion();
@@ -57,14 +62,6 @@ void write_residuals(AtomicFile& file, const FittedTrajectory& fitted) {
   }
 }
 
-void write_gaps(AtomicFile& file, const FittedTrajectory& fitted) {
-  file.append("#start [ns],end [ns],first control point,last control point\n");
-  for (const Gap& gap : fitted.gaps) {
-    file.append(message(gap.start.count(), ',', gap.end.count(), ',', gap.first_control_point, ',',
-                        gap.last_control_point, '\n'));
-  }
-}
-
 void write_knots(AtomicFile& file, const FittedTrajectory& fitted) {
   file.append("#knot [ns]\n");
   for (const nanoseconds knot : fitted.knots) file.append(message(knot.count(), '\n'));
@@ -74,42 +71,66 @@ void write_samples(AtomicFile& file, const FittedImu& imu) {
   file.append(
       "#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x [m/s^2],accel_y [m/s^2],accel_z [m/s^2],"
       "gyro_residual_x [rad/s],gyro_residual_y [rad/s],gyro_residual_z [rad/s],accel_residual_x [m/s^2],"
-      "accel_residual_y [m/s^2],accel_residual_z [m/s^2]\n");
+      "accel_residual_y [m/s^2],accel_residual_z [m/s^2],invented\n");
   for (const SampleResidual& sample : imu.samples) {
     append_row(file, sample.time, sample.gyro, sample.accel, sample.gyro_residual, sample.accel_residual);
-    file.append('\n');
+    file.append(sample.invented ? ",1\n" : ",0\n");
   }
+}
+
+/// The readings along the curve. Those in holes are left out, or kept behind a comment. What is said of them.
+std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted, const Options& o) {
+  const auto readings = simulate(fitted.curve, Imu{}, {.rate = o.rate, .gravity = o.gravity.vector});
+  Progress progress(readings.size());
+  std::size_t invented = 0;
+  std::optional<std::size_t> last_hole;
+  for (const auto& reading : readings) {
+    progress.advance();
+    const auto hole = hole_at(fitted.holes, reading.time);
+    if (hole) ++invented;
+    if (hole && !o.keep_holes) continue;
+    if (hole && hole != last_hole) file.comment(hole_comment(fitted.holes[*hole]));
+    last_hole = hole;
+    file.append(EurocImu{reading.time, reading.gyro, reading.accel});
+  }
+  if (fitted.holes.empty()) return "";
+  return formatted("%zu of %zu readings are inside holes and %s\n", invented, readings.size(),
+                   o.keep_holes ? "invented; comments in derived_imu.csv mark them"
+                                : "left out of derived_imu.csv; --keep-holes keeps them");
 }
 
 }  // namespace
 
-std::vector<std::string> write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o) {
+WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o) {
   std::error_code error;
   std::filesystem::create_directories(o.output, error);
   if (error) throw std::runtime_error(message(o.output.string(), ": cannot create this folder: ", error.message()));
-  std::vector<std::string> names;
+  WrittenFiles written;
   std::deque<AtomicFile> files;
   const auto begin = [&](const char* name) -> AtomicFile& {
-    names.emplace_back(name);
+    written.names.emplace_back(name);
     return files.emplace_back(o.output / name);
   };
   write_control_points(begin("control_points.csv"), fitted, o);
   if (!fitted.knots.empty()) write_knots(begin("knots.csv"), fitted);
   write_residuals(begin("residuals.csv"), fitted);
-  write_gaps(begin("gaps.csv"), fitted);
+  begin("gaps.csv").append(holes_csv(fitted.holes));
   if (fitted.imu) write_samples(begin("imu_residuals.csv"), *fitted.imu);
+  if (fitted.imu) begin("calibration.yaml").append(calibration_text(fitted.imu->calibrated));
   begin("report.txt").append(report);
   EurocImuWriter derived(o.output / "derived_imu.csv");
-  for (const EurocImu& reading : fitted.derived) derived.append(reading);
   TumWriter smoothed(o.output / "smoothed.tum");
+  written.note = write_readings(derived, fitted, o);
   for (const auto& pose : fitted.smoothed) smoothed.append(pose);
   for (AtomicFile& file : files) file.commit();
   derived.commit();
   smoothed.commit();
-  names.insert(names.end(), {"derived_imu.csv", "smoothed.tum"});
+  written.names.insert(written.names.end(), {"derived_imu.csv", "smoothed.tum"});
   // What another run has left would be taken for this one's.
   if (fitted.knots.empty()) std::filesystem::remove(o.output / "knots.csv", error);
-  if (!fitted.imu) std::filesystem::remove(o.output / "imu_residuals.csv", error);
+  if (!fitted.imu) {
+    for (const char* name : {"imu_residuals.csv", "calibration.yaml"}) std::filesystem::remove(o.output / name, error);
+  }
   for (const char* picture : {"fit.png", "fit.svg"}) std::filesystem::remove(o.output / picture, error);
-  return names;
+  return written;
 }

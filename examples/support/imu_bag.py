@@ -10,28 +10,20 @@ Times are those of the message headers, not of their arrival; they and all numbe
 """
 import argparse
 import contextlib
-import gc
-import importlib.metadata
 import itertools
 import math
 import os
 import pathlib
 import re
 import signal
-import sqlite3
 import struct
 import sys
-import tempfile
-import time
+
+from bag_files import SUFFIXES, Failure, choose_topic, guarded, import_rosbags, opened, replacing, run
 
 MESSAGE = "sensor_msgs/msg/Imu"
 HEADER = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
           "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]")
-SUFFIXES = {"ros1": ".bag", "ros2-mcap": ".mcap", "ros2-sqlite": ".db3"}
-
-
-class Failure(Exception):
-    """One line about what is wrong, where, and what was expected."""
 
 
 # The bytes of a sensor_msgs/Imu are the same in ROS 1 and in ROS 2 (CDR) but for the first 4, which are a counter or
@@ -75,59 +67,6 @@ def decoder(ros1):
         return seconds * 10**9 + nanoseconds, *order[1](data, start)
 
     return decode
-
-
-class Progress:
-    """A line on standard error, for a person who waits: only on a terminal, and only after a second."""
-
-    def __init__(self):
-        self.start = time.monotonic()
-        self.next = self.start + 1 if sys.stderr.isatty() else math.inf
-        self.drawn = False
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        if self.drawn:
-            print(end="\r\033[K", file=sys.stderr, flush=True)
-
-    def at(self, share):
-        now = time.monotonic()
-        if now < self.next or not share > 0:
-            return
-        self.next = now + 0.2
-        self.drawn = True
-        filled = round(40 * min(share, 1))
-        left = (now - self.start) * max(1 / share - 1, 0)
-        bar = "=" * filled + " " * (40 - filled)
-        print(f"\r[{bar}] {share:4.0%}, {left:.0f} s left ", end="", file=sys.stderr, flush=True)
-
-
-@contextlib.contextmanager
-def replacing(target):
-    """Gives a path beside the target to write a file or folder to, which becomes the target if all goes well."""
-    if not target.parent.is_dir():
-        raise Failure(f"{target.parent}: no such folder")
-    with tempfile.TemporaryDirectory(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent) as folder:
-        temporary = pathlib.Path(folder, target.name)
-        yield temporary
-        os.replace(temporary, target)
-
-
-def import_rosbags():
-    try:
-        import rosbags.rosbag1
-        import rosbags.rosbag2
-        import rosbags.typesys
-    except ImportError as error:
-        if error.name and error.name.split(".")[0] != "rosbags":
-            raise Failure(f"the Python package rosbags needs {error.name} (pip install {error.name})") from None
-        raise Failure("needs the Python package rosbags (pip install rosbags)") from None
-    version = importlib.metadata.version("rosbags")
-    if tuple(map(int, version.split(".")[:2])) < (0, 11):
-        raise Failure(f"needs rosbags 0.11 or newer, this is {version} (pip install --upgrade rosbags)")
-    return rosbags
 
 
 def read_csv(path, progress):
@@ -205,56 +144,10 @@ def write_bag(arguments, progress):
             os.replace(folder / temporary.name, temporary)
 
 
-def open_bag(path):
-    rosbags = import_rosbags()
-    if not path.exists():
-        raise Failure(f"{path}: no such file or folder, expected a ROS 1 .bag, or a ROS 2 .mcap, .db3 or folder")
-    if path.is_dir() and not (path / "metadata.yaml").is_file():
-        raise Failure(f"{path}: no metadata.yaml in it, expected the folder of a ROS 2 bag")
-    if not path.is_dir() and path.suffix not in SUFFIXES.values():
-        raise Failure(f"{path}: unknown ending, expected a ROS 1 .bag, or a ROS 2 .mcap, .db3 or folder")
-    ros1 = path.suffix == ".bag" and not path.is_dir()
-    return (rosbags.rosbag1 if ros1 else rosbags.rosbag2).Reader(path), ros1
-
-
-def choose_topic(path, connections, wanted):
-    imus = [connection for connection in connections if connection.msgtype == MESSAGE]
-    topics = sorted({connection.topic for connection in imus})
-    listed = ", ".join(topics)
-    if not topics:
-        others = ", ".join(sorted({f"{connection.topic} ({connection.msgtype})" for connection in connections}))
-        raise Failure(f"{path}: no topic of sensor_msgs/Imu{', only ' + others if others else ''}")
-    if wanted is None and len(topics) > 1:
-        raise Failure(f"{path}: several IMU topics, expected --topic with one of {listed}")
-    if wanted is not None and wanted not in topics:
-        raise Failure(f"{path}: no IMU topic {wanted}, expected one of {listed}")
-    return [connection for connection in imus if connection.topic == (wanted or topics[0])]
-
-
-def guarded(path, items):
-    """The items; whatever goes wrong inside the reader (it meets damaged files with all sorts of exceptions) is said."""
-    try:
-        yield from items
-    except Exception as error:
-        raise Failure(unreadable(path, error)) from None
-
-
-def unreadable(path, error):
-    # The type too, as texts such as "unpack requires 4 bytes" say little.
-    return f"{path}: damaged or no such bag: {type(error).__name__}: {' '.join(str(error).split())}"
-
-
 def read_bag(path, wanted, progress):
     """The samples (stamp, wx, wy, wz, ax, ay, az) of a bag, as they arrived."""
-    with contextlib.ExitStack() as stack:
-        try:
-            reader, ros1 = open_bag(path)
-            stack.enter_context(reader)
-        except (Failure, PermissionError):
-            raise
-        except Exception as error:
-            raise Failure(unreadable(path, error)) from None
-        connections = choose_topic(path, reader.connections, wanted)
+    with opened(path) as (reader, ros1):
+        connections = choose_topic(path, reader.connections, [MESSAGE], "IMU", wanted)
         topic = connections[0].topic
         total = max(1, sum(connection.msgcount for connection in connections))
         decode = decoder(ros1)
@@ -316,24 +209,7 @@ def main():
     command.set_defaults(run=write_csv)
     arguments = parser.parse_args()
 
-    gc.disable()  # nothing here makes cycles, and looking for them among the index of a large bag takes a fifth of the time
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that temporaries go
-    try:
-        with Progress() as progress:
-            arguments.run(arguments, progress)
-    except Failure as failure:
-        problem = str(failure)
-    except OSError as error:
-        output = "standard output" if arguments.output == "-" else arguments.output
-        problem = f"{error.filename or output}: {error.strerror or error}"
-    except sqlite3.Error as error:
-        problem = f"{arguments.output}: {error}"
-    except KeyboardInterrupt:
-        sys.exit(130)
-    else:
-        return
-    print(f"imu_bag.py: {problem}", file=sys.stderr)
-    sys.exit(2)
+    run("imu_bag.py", arguments.run, arguments, "standard output" if arguments.output == "-" else arguments.output)
 
 
 if __name__ == "__main__":

@@ -41,21 +41,6 @@ struct Columns {
 /// The powers of ten that are a second.
 const std::map<std::string, int> time_units{{"s", 0}, {"ms", 3}, {"us", 6}, {"ns", 9}};
 
-/// A number of seconds/10^digits, exact to the nanosecond.
-Parsed<nanoseconds> parse_time(std::string_view text, int digits) {
-  if (digits == 0) return parse_seconds(text);
-  const std::size_t e = text.find_first_of("eE");
-  std::int64_t exponent = 0;
-  if (e != std::string_view::npos) {
-    std::string_view tail = text.substr(e + 1);
-    if (tail.starts_with('+')) tail.remove_prefix(1);
-    const Parsed<std::int64_t> parsed = parse_integer(tail);
-    if (parsed.problem) return {{}, parsed.problem};
-    exponent = parsed.value;
-  }
-  return parse_seconds(std::string(text.substr(0, e)) + 'e' + std::to_string(exponent - digits));
-}
-
 /// Reads the rows of a table.
 class ColumnReader {
  public:
@@ -149,16 +134,10 @@ class ColumnReader {
   int time_digits_ = 0;
 };
 
-bool is_bag(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto ending = path.extension();
-  return ending == ".bag" || ending == ".mcap" || ending == ".db3" || std::filesystem::is_directory(path, ignored);
-}
-
 Columns read_columns(const std::filesystem::path& path, const ImuLogOptions& options) {
   Columns columns;
   std::optional<Progress> progress;
-  if (is_bag(path)) {
+  if (is_ros_bag(path)) {
     if (options.rate || !options.columns.empty() || options.time_unit) {
       throw std::invalid_argument(message(path.string(), ": a ROS bag, expected no --rate, --columns and --time-unit"));
     }

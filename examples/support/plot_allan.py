@@ -5,12 +5,11 @@
     allan imu.csv --output FOLDER
     plot_allan.py FOLDER             # reads FOLDER/curves.csv and FOLDER/noise.csv; needs matplotlib
 """
-import argparse
 import csv
 import math
-import os
-import pathlib
-import sys
+
+import plotting
+from plotting import Failure
 
 CURVES = "#sensor,axis,m,tau [s],terms,deviation,lower,upper,alpha,fitted"
 NOISE = "#sensor,axis,term,detected,estimate,lower,upper,standard_error,unit"
@@ -41,12 +40,7 @@ FAMILIAR = {  # what data sheets write
 }
 UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
 GUIDE, DOTTED = "0.45", (0, (1, 1.5))
-# Okabe and Ito's colours, which look different to everybody.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
-
-
-class Failure(Exception):
-    """One line about what is wrong, where, and what was expected."""
+COLOURS = [plotting.BLUE, plotting.RED, plotting.GREEN, plotting.PURPLE, plotting.ORANGE, plotting.SKY]
 
 
 def read(path, header):
@@ -261,37 +255,6 @@ def draw(curves, noise):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=pathlib.Path, help="with curves.csv and noise.csv, where the pictures go")
-    parser.add_argument("--output", default="allan", metavar="NAME", help="of the pictures, without .png (%(default)s)")
-    arguments = parser.parse_args()
-    try:
-        try:
-            import matplotlib
-        except ImportError:
-            raise Failure("needs the Python package matplotlib (pip install matplotlib)") from None
-        curves = read_curves(arguments.folder / "curves.csv")
-        noise = read_noise(arguments.folder / "noise.csv")
-        matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
-        figure = draw(curves, noise)
-        for form in "png", "svg":
-            picture = arguments.folder / f"{arguments.output}.{form}"
-            temporary = picture.with_name(f".{picture.name}.tmp")
-            try:
-                figure.savefig(temporary, format=form, metadata={"Date": None} if form == "svg" else None)
-                os.replace(temporary, picture)
-            finally:
-                temporary.unlink(missing_ok=True)
-    except Failure as failure:
-        problem = str(failure)
-    except OSError as error:
-        problem = f"{error.filename}: {error.strerror}"
-    else:
-        return
-    print(f"plot_allan.py: {problem}", file=sys.stderr)
-    sys.exit(2)
-
-
 if __name__ == "__main__":
-    main()
+    plotting.run_on_folder(__doc__, "with curves.csv and noise.csv, where the pictures go", "allan",
+                           lambda folder: draw(read_curves(folder / "curves.csv"), read_noise(folder / "noise.csv")))

@@ -5,28 +5,23 @@
     fit_trajectory poses.tum --imu imu.csv --output FOLDER
     plot_fit.py FOLDER               # reads its files; needs matplotlib
 """
-import argparse
 import os
-import pathlib
 import re
-import sys
+
+import plotting
+from plotting import Failure
 
 RESIDUALS = ("#timestamp [ns],rotation_x [rad],rotation_y [rad],rotation_z [rad],position_x [m],position_y [m],"
              "position_z [m],outlier")
-GAPS = "#start [ns],end [ns],first control point,last control point"
+GAPS = "#start [ns],end [ns],length [s]"
 DERIVED = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],"
            "a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]")
 SAMPLES = ("#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x [m/s^2],accel_y [m/s^2],"
            "accel_z [m/s^2],gyro_residual_x [rad/s],gyro_residual_y [rad/s],gyro_residual_z [rad/s],"
-           "accel_residual_x [m/s^2],accel_residual_y [m/s^2],accel_residual_z [m/s^2]")
-# Okabe and Ito's colours, which look different to everybody; those of the axes, and of what is wrong.
-COLOURS = ["#0072B2", "#E69F00", "#009E73"]
-OUTLIER = "#D55E00"
+           "accel_residual_x [m/s^2],accel_residual_y [m/s^2],accel_residual_z [m/s^2],invented")
+COLOURS = [plotting.BLUE, plotting.ORANGE, plotting.GREEN]  # of the axes
+OUTLIER = plotting.RED
 MOST_POINTS = 1600  # that a line has room for
-
-
-class Failure(Exception):
-    """One line about what is wrong, where, and what was expected."""
 
 
 def read(path, header):
@@ -38,6 +33,8 @@ def read(path, header):
             if number == 1:
                 if line != header:
                     raise Failure(f"{path}:1: {line[:60]!r}, expected the header {header}")
+                continue
+            if line.startswith("#"):
                 continue
             fields = line.split(",")
             if len(fields) != header.count(",") + 1:
@@ -72,6 +69,15 @@ def thinned(time, values):
     return time[places], values[places]
 
 
+def broken(time, values, gaps):
+    """The same with a break in each gap that has no values, so that no line is drawn across it."""
+    import numpy
+    middles = numpy.array([(begin + end) / 2 for begin, end in gaps
+                           if not ((time > begin + 1e-6) & (time < end - 1e-6)).any()])
+    places = numpy.searchsorted(time, middles)
+    return numpy.insert(time, places, middles), numpy.insert(values, places, numpy.nan)
+
+
 def smooth(values, width):
     """Columns through a window (Hann) of so many samples, without delay; at the ends what is there is its mean."""
     import numpy
@@ -94,16 +100,17 @@ def knot_interval(folder):
 
 
 def title_of(folder):
-    """What report.txt begins with, short."""
+    """The lines of report.txt on poses, spline and knots, short."""
     try:
-        lines = (folder / "report.txt").read_text(encoding="utf-8", errors="replace").splitlines()[:4]
+        lines = (folder / "report.txt").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
         return ""
-    if len(lines) < 4 or not lines[1].startswith("spline: "):
+    place = next((i for i, line in enumerate(lines) if line.startswith("spline: ")), 0)
+    if not 0 < place < len(lines) - 1:
         return ""
-    name = os.path.basename(lines[0].split(": ")[0])
-    spline = lines[1].removeprefix("spline: ").replace("R^3", "R³").replace(" x ", " × ")
-    return f"{name}:  spline of {spline}, {lines[2].split(', the ')[0]}"
+    name = os.path.basename(lines[place - 1].split(": ")[0])
+    spline = lines[place].removeprefix("spline: ").replace("R^3", "R³").replace(" x ", " × ")
+    return f"{name}:  spline of {spline}, {re.split(', the | [(]', lines[place + 1])[0]}"
 
 
 def usual_size(values, share):
@@ -121,10 +128,7 @@ def draw_residuals(plot, side, time, values, outliers, gaps, unit, share=0.995):
     usual, largest = usual_size(inner, share), float(numpy.abs(values).max(initial=0))
     limit = 1.6 * usual
     for i, colour in enumerate(COLOURS):
-        at, value = thinned(time, values[:, i])
-        breaks = numpy.searchsorted(at, [(begin + end) / 2 for begin, end in gaps])
-        plot.plot(numpy.insert(at, breaks, [(begin + end) / 2 for begin, end in gaps]),
-                  numpy.insert(value, breaks, numpy.nan), color=colour, linewidth=0.7, zorder=3, alpha=0.9)
+        plot.plot(*broken(*thinned(time, values[:, i]), gaps), color=colour, linewidth=0.7, zorder=3, alpha=0.9)
     places = numpy.flatnonzero(outliers & (numpy.abs(values).max(axis=1) > usual))  # others are off in something else
     worst = values[places, numpy.abs(values[places]).argmax(axis=1)] if places.size else numpy.empty(0)
     plot.plot(time[places], worst, ".", color=OUTLIER, markersize=3.5, zorder=4, markeredgewidth=0)
@@ -163,13 +167,13 @@ def draw_residuals(plot, side, time, values, outliers, gaps, unit, share=0.995):
     side.tick_params(labelsize=8)
 
 
-def draw_signal(plot, time, values, behind=None):
+def draw_signal(plot, time, values, gaps, behind=None):
     import numpy
     if behind is not None:
         for i, colour in enumerate(COLOURS):
-            plot.plot(*thinned(behind[0], behind[1][:, i]), color=colour, linewidth=2.4, alpha=0.35, zorder=2)
+            plot.plot(*broken(*thinned(behind[0], behind[1][:, i]), gaps), color=colour, linewidth=2.4, alpha=0.35, zorder=2)
     for i, colour in enumerate(COLOURS):
-        plot.plot(*thinned(time, values[:, i]), color=colour, linewidth=0.8, zorder=3)
+        plot.plot(*broken(*thinned(time, values[:, i]), gaps), color=colour, linewidth=0.8, zorder=3)
     low, high = numpy.quantile(values, 0.0005), numpy.quantile(values, 0.9995)
     margin = 0.15 * (high - low) or 1
     low, high = low - margin, high + margin
@@ -224,8 +228,8 @@ def draw(folder):
     names = ["position\ncurve − pose (mm)", "rotation\ncurve − pose (mrad)", "angular velocity\n(rad/s)",
              "specific force\n(m/s²)", "gyroscope\ncurve − IMU (rad/s)", "accelerometer\ncurve − IMU (m/s²)"]
     if imu is None:
-        draw_signal(plots[2], derived_time, derived[:, :3])
-        draw_signal(plots[3], derived_time, derived[:, 3:6])
+        draw_signal(plots[2], derived_time, derived[:, :3], gaps)
+        draw_signal(plots[3], derived_time, derived[:, 3:6], gaps)
         low_pass = ""
     else:
         imu_time, values = imu
@@ -235,8 +239,8 @@ def draw(folder):
         curve, residual = values[:, :6], values[:, 6:12]
         low = smooth(curve - residual, width)
         left = smooth(residual, width)
-        draw_signal(plots[2], imu_time, curve[:, :3], (imu_time, low[:, :3]))
-        draw_signal(plots[3], imu_time, curve[:, 3:6], (imu_time, low[:, 3:6]))
+        draw_signal(plots[2], imu_time, curve[:, :3], gaps, (imu_time, low[:, :3]))
+        draw_signal(plots[3], imu_time, curve[:, 3:6], gaps, (imu_time, low[:, 3:6]))
         quiet = numpy.zeros(len(imu_time), dtype=bool)
         draw_residuals(plots[4], sides[4], imu_time, left[:, :3], quiet, [], "rad/s", 0.98)
         draw_residuals(plots[5], sides[5], imu_time, left[:, 3:6], quiet, [], "m/s²", 0.98)
@@ -268,7 +272,7 @@ def draw(folder):
         entries.append(line(color=OUTLIER, linestyle="none", marker="|", markeredgewidth=1.5,
                             label=f"outliers\n({outliers.sum()} poses)"))
     if gaps:
-        entries.append(matplotlib.patches.Patch(facecolor="0.8", edgecolor="0.6", label="gaps between\nposes, bridged"))
+        entries.append(matplotlib.patches.Patch(facecolor="0.8", edgecolor="0.6", label="gaps between\nposes"))
     legend = figure.add_subplot(grid[2:4, 1])
     legend.axis("off")
     legend.legend(handles=entries, loc="center left", frameon=False, fontsize=9, borderaxespad=0, handlelength=1.4,
@@ -277,35 +281,5 @@ def draw(folder):
     return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", type=pathlib.Path, help="that fit_trajectory has written to, where the pictures go")
-    parser.add_argument("--output", default="fit", metavar="NAME", help="of the pictures, without .png (%(default)s)")
-    arguments = parser.parse_args()
-    try:
-        try:
-            import matplotlib
-        except ImportError:
-            raise Failure("needs the Python package matplotlib (pip install matplotlib)") from None
-        matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
-        figure = draw(arguments.folder)
-        for form in "png", "svg":
-            picture = arguments.folder / f"{arguments.output}.{form}"
-            temporary = picture.with_name(f".{picture.name}.tmp")
-            try:
-                figure.savefig(temporary, format=form, metadata={"Date": None} if form == "svg" else None)
-                os.replace(temporary, picture)
-            finally:
-                temporary.unlink(missing_ok=True)
-    except Failure as failure:
-        problem = str(failure)
-    except OSError as error:
-        problem = f"{error.filename}: {error.strerror}"
-    else:
-        return
-    print(f"plot_fit.py: {problem}", file=sys.stderr)
-    sys.exit(2)
-
-
 if __name__ == "__main__":
-    main()
+    plotting.run_on_folder(__doc__, "that fit_trajectory has written to, where the pictures go", "fit", draw)

@@ -36,6 +36,12 @@ std::string default_python() {
   return chosen != nullptr && *chosen != '\0' ? chosen : "python3";
 }
 
+bool is_ros_bag(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto ending = path.extension();
+  return ending == ".bag" || ending == ".mcap" || ending == ".db3" || std::filesystem::is_directory(path, ignored);
+}
+
 PythonScript::PythonScript(const std::string& python, const std::string& name,
                            const std::vector<std::string>& arguments, Output output)
     : name_(name) {

@@ -12,6 +12,9 @@
 /// Which Python: the environment variable SPLINERTIA_PYTHON, or python3.
 [[nodiscard]] std::string default_python();
 
+/// Whether a path is that of a ROS bag, by its ending: .bag, .mcap, .db3; or it is a folder.
+[[nodiscard]] bool is_ros_bag(const std::filesystem::path& path);
+
 /// A script that has said on standard error, in one line, what is wrong.
 struct ScriptFailed : std::runtime_error {
   using std::runtime_error::runtime_error;

@@ -64,7 +64,10 @@
 #include <splinertia/strapdown/runge_kutta4.hpp>
 #include <splinertia/strapdown/trajectory_alignment.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
+#include <splinertia/strapdown/trajectory_drift.hpp>
 #include <splinertia/strapdown/trajectory_error.hpp>
+#include <splinertia/strapdown/trajectory_pairs.hpp>
+#include <splinertia/strapdown/trajectory_time_offset.hpp>
 #include <splinertia/strapdown/trapezoid.hpp>
 #include <splinertia/strapdown/zero_order_hold.hpp>
 #include <splinertia/units.hpp>

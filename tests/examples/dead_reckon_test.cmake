@@ -85,7 +85,7 @@ foreach(row IN LISTS truth)
   math(EXPR i "${i} + 1")
 endforeach()
 file(WRITE "${out}/sparse.csv" "${sparse}")
-file(WRITE "${out}/poses.csv" "${poses}")
+file(WRITE "${out}/poses.csv" "#t [ns],x,y,z,qw,qx,qy,qz\n${poses}")
 reckon("572 states" "${out}/ideal/imu.csv" "${out}/sparse.csv" --windows 1)
 expect(runs EQUAL 19 AND position_max LESS 5e-3)
 reckon("570 poses between others .*velocities from its poses" "${out}/ideal/imu.csv" "${out}/poses.csv" --windows 1)
@@ -101,6 +101,63 @@ reckon("biases as the trajectory file has them removed" ${biased} --windows 1)
 expect(position_max LESS 1e-3 AND attitude_max LESS 1e-4)
 reckon("biases not removed" ${biased} --windows 1 --keep-biases)
 expect(position_median GREATER 0.04 AND position_median LESS 0.2 AND attitude_median GREATER 0.98 AND attitude_median LESS 1.0)
+
+# Biases that are given instead, each for itself.
+set(poses "${out}/biased/imu.csv" "${out}/biased/poses.tum")
+reckon("velocities from its poses, biases not removed\n" ${poses} --windows 1)
+expect(position_median GREATER 0.04 AND attitude_median GREATER 0.98)
+reckon("velocities from its poses, gyro bias .0.01 0.01 0.01. rad/s of --gyro-bias removed, accel bias .0.1 0 0. m/s.2 of --accel-bias removed\n"
+  ${poses} --windows 1 --gyro-bias 0.01 0.01 0.01 --accel-bias 0.1 0 0)
+expect(position_max LESS 1e-3 AND attitude_max LESS 1e-4)
+reckon("gyro bias .0.01 0.01 0.01. rad/s of --gyro-bias removed, accel bias not removed\n" ${poses} --windows 1 --gyro-bias 0.01 0.01 0.01)
+expect(position_median GREATER 0.04 AND position_median LESS 0.06 AND attitude_max LESS 1e-4)
+reckon("gyro bias as the trajectory file has it removed, accel bias .0 0 0. m/s.2 of --accel-bias removed\n" ${biased} --windows 1 --accel-bias 0 0 0)
+expect(position_median GREATER 0.04 AND position_median LESS 0.06 AND attitude_max LESS 1e-4)
+run(2 "--gyro-bias excludes --keep-biases" ${biased} --keep-biases --gyro-bias 0 0 0)
+
+# A calibration file says all of it; options come before it, and it before the trajectory file.
+set(calibration "gyro_bias: [0.01, 0.01, 0.01]
+gyro_bias_standard_deviation: [0, 0, 0]
+accel_bias: [0.1, 0, 0]
+accel_bias_standard_deviation: [.inf, 0, 0]
+gravity: [0, 0, -9.80665]
+gravity_direction_standard_deviation: [0, 0]
+lever_arm: [0.3, -0.2, 0.1]
+lever_arm_standard_deviation: [0, 0, 0]
+rotation: {w: 0.2, x: 0.4, y: 0.4, z: 0.8}
+time_offset: 12.5 ms
+time_offset_standard_deviation: 0
+")
+file(WRITE "${out}/calibration.yaml" "${calibration}")
+find_program(PYTHON NAMES python3 python)
+if(PYTHON)
+  execute_process(COMMAND "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/move_truth.py" ${biased} "${out}/body.csv" "${out}/body.tum" RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "move_truth.py: exit code ${result}")
+  endif()
+  set(used "gyro bias .* of .*calibration.yaml removed, accel bias .* of .*calibration.yaml removed\ngravity .0 0 -9.80665. m/s.2 of .*calibration.yaml\nlever arm .0.3 -0.2 0.1. m of .*calibration.yaml. truth is moved to the IMU.*\nrotation vector of the IMU's axes .* deg\ntime offset 0.0125 s added to the IMU's times\n")
+  foreach(truth IN ITEMS body.csv body.tum)
+    set(moved "${out}/biased/imu.csv" "${out}/${truth}" --windows 1)
+    set(body ${moved} --calibration "${out}/calibration.yaml")
+    reckon("${used}" ${body})
+    expect(position_max LESS 1e-3 AND attitude_max LESS 1e-2)
+    # Without the lever arm, the time offset, gravity or the biases it is not as good.
+    reckon("lever arm .0 0 0. m of --lever-arm" ${body} --lever-arm 0 0 0)
+    expect(position_median GREATER 3e-3)
+    reckon("gravity .0 0 -9.8. m/s.2 of --gravity" ${body} --gravity 9.8)
+    expect(position_median GREATER 3e-3)
+    reckon("gyro bias .0 0 0. rad/s of --gyro-bias removed, accel bias .* of .*calibration.yaml removed" ${body} --gyro-bias 0 0 0)
+    expect(attitude_median GREATER 0.98)
+    reckon("biases not removed\ngravity" ${body} --keep-biases)
+    expect(attitude_median GREATER 0.98 AND position_median GREATER 0.04)
+    string(REPLACE "12.5 ms" "0" other "${calibration}")
+    file(WRITE "${out}/other.yaml" "${other}")
+    reckon("lever arm" ${moved} --calibration "${out}/other.yaml")
+    expect(position_median GREATER 3e-3)
+  endforeach()
+else()
+  message("skipped: truth of a body, because Python is not installed")
+endif()
 
 # Another world: gravity as an amount along -z, or as a vector.
 simulate(moon --preset ideal --gravity 0 0 -1.62)
@@ -163,6 +220,16 @@ refuse("--longest-gap: 0, expected a positive" ${ideal} --longest-gap 0)
 refuse("--longest-gap: nan, expected a positive" ${ideal} --longest-gap nan)
 refuse("--gravity: 2 numbers, expected 1 or 3" ${ideal} --gravity 0 9.81)
 refuse("--gravity: nan, expected finite" ${ideal} --gravity nan)
+refuse("--gravity: -9.81, expected an amount >= 0, which acts along -z, or a vector x y z" ${ideal} --gravity -9.81)
+foreach(option IN ITEMS gyro-bias accel-bias lever-arm)
+  refuse("--${option}: 0 nan 1, expected finite numbers" ${ideal} --${option} 0 nan 1)
+  refuse("--${option}" ${ideal} --${option} 0 1)
+  refuse("--${option}" ${ideal} --${option} 0 1 x)
+endforeach()
+refuse("none.yaml: cannot read this file" ${ideal} --calibration "${out}/none.yaml")
+string(REPLACE "[0.3, -0.2, 0.1]" "[0.3, -0.2]" other "${calibration}")
+file(WRITE "${out}/other.yaml" "${other}")
+refuse("other.yaml:7: lever_arm: 2 numbers, expected 3" ${ideal} --calibration "${out}/other.yaml")
 refuse("integrate: 2 samples, expected at least 4" ${ideal} --scheme magnus4 --windows 0.005)
 set(sample "0 0 0 0 0 9.8")
 file(WRITE "${out}/bad.txt" "1000000000 ${sample}\n1005000000 ${sample}\n1005000000 ${sample}\n")
@@ -179,8 +246,16 @@ file(WRITE "${out}/one.tum" "1.0 0 0 0 0 0 0 1\n")
 refuse("one.tum: expected three poses in a row" "${out}/ideal/imu.csv" "${out}/one.tum")
 without("${out}/ideal/groundtruth.csv" "^4" "${out}/broken.csv")
 file(APPEND "${out}/broken.csv" "30000000000,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,x\n")
-refuse("broken.csv:[0-9]+: \"x\" is .*b_a_RS_S_z" "${out}/ideal/imu.csv" "${out}/broken.csv")
+refuse("broken.csv:[0-9]+: \"x\" is .*baz in column 17" "${out}/ideal/imu.csv" "${out}/broken.csv")
 run(2 "no/table.csv: .*No such file" ${ideal} --csv "${out}/no/table.csv")
+
+# Output that is lost is told by the exit code.
+if(EXISTS /dev/full)
+  execute_process(COMMAND "${PROGRAM}" ${ideal} OUTPUT_FILE /dev/full ERROR_VARIABLE text RESULT_VARIABLE result)
+  if(NOT result EQUAL 1 OR NOT text STREQUAL "dead_reckon: standard output cannot be written\n")
+    message(FATAL_ERROR "dead_reckon > /dev/full: exit code ${result}, printed ${text}")
+  endif()
+endif()
 
 # A real IMU, an ADIS16448 in the machine hall.
 set(real "${SHARED_DATA_DIR}/euroc_MH_05_pair")

@@ -46,6 +46,21 @@ TEST_CASE("samples read back to the same bits, written at once or one by one") {
   CHECK(content(folder / "stream.csv") == content(folder / "imu.csv"));
 }
 
+TEST_CASE("comments between samples are passed over when they are read") {
+  const test::TemporaryDirectory folder;
+  const auto written = samples(3);
+  EurocImuWriter writer(folder / "imu.csv");
+  writer.append(written[0]);
+  writer.comment("no poses, the readings are invented");
+  for (const std::size_t i : {1u, 2u}) writer.append(written[i]);
+  writer.commit();
+  CHECK(content(folder / "imu.csv").find("\n# no poses, the readings are invented\n1403636579763555392,") !=
+        std::string::npos);
+  const auto read = read_euroc_imu(folder / "imu.csv");
+  REQUIRE(read.size() == 3);
+  CHECK(read[1].gyro == written[1].gyro);
+}
+
 TEST_CASE("the file looks like EuRoC's") {
   const test::TemporaryDirectory folder;
   write_euroc_imu(folder / "imu.csv",

@@ -194,7 +194,7 @@ TEST_CASE("Ground truth of motion capture is met to its noise") {
   const auto check = [](const char* file, double knot_interval, std::size_t gaps) {
     const auto path = shared / file;
     if (!there(path)) return;
-    const auto poses = read_trajectory(path);
+    const auto poses = read_trajectory(path).poses;
     const auto fitted = fit<Curve>(poses, {.knot_interval = knot_interval});
     CHECK(fitted.converged);
     CHECK(fitted.gaps.size() == gaps);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <splinertia/group/pose.hpp>
@@ -411,6 +412,15 @@ TEST_CASE("A gap is not filled on integer time or uneven knots either") {
   // The way of least acceleration between sin 4 with slope cos 4 and sin 6 with cos 6 is the cubic, off at its middle
   // by less than 2⁴/384 times a fourth derivative of 1.
   CHECK_THAT(fitted.spline.evaluate<0>(epoch + 500 * step).value[0], WithinAbs(std::sin(5), 0.06));
+}
+
+TEST_CASE("Poses that span more nanoseconds than 64 bits count are refused") {
+  using Epoch = Spline<Number, 4, UniformKnots<nanoseconds>>;
+  constexpr std::int64_t far = 9'000'000'000'000'000'000;
+  const PosesOf<Epoch> poses{
+      {nanoseconds{-far}, Number(0)}, {nanoseconds{0}, Number(1)}, {nanoseconds{far}, Number(2)}};
+  CHECK(message_of([&] { return fit<Epoch>(poses, {.knot_interval = 1e9}); }) ==
+        "fit: poses from -9000000000000000000 to 9000000000000000000 span more ticks than 64 bits count");
 }
 
 TEST_CASE("Poses that cannot be fitted are refused with place and value") {

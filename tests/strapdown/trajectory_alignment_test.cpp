@@ -188,3 +188,105 @@ TEMPLATE_TEST_CASE("Trajectories are aligned as asked", "", SO3xR3<double>, Soph
   pairs.clear();
   CHECK(error_of([&] { (void)aligned(pairs, Alignment::none); }) == "alignment: no pairs of poses");
 }
+
+TEMPLATE_TEST_CASE("Heading and translation are found again", "", float, double, long double) {
+  using Scalar = TestType;
+  const Scalar eps = std::numeric_limits<Scalar>::epsilon();
+  const auto from = helix<Scalar>(100);
+  for (const double yaw : {0.0, 0.5, -2.0, 3.14159, 1e-6}) {
+    SimilarityTransform<Scalar> transform;
+    transform.rotation = GroupTraits<Sophus::SO3<Scalar>>::exp({0, 0, static_cast<Scalar>(yaw)});
+    transform.translation = {Scalar(3), Scalar(-20), Scalar(7)};
+    const auto found = fit_yaw<Scalar>(from, applied(transform, from));
+    CHECK(increment(transform.rotation, found.rotation).norm() < 100 * eps);
+    CHECK((found.translation - transform.translation).norm() < 100 * eps * transform.translation.norm());
+    CHECK(found.scale == 1);
+  }
+}
+
+TEST_CASE("No heading or translation near those that are found has a smaller sum of squares") {
+  const auto from = helix<double>(30);
+  const Points<double> to = applied(some_transform<double>(), from);  // turned about other axes, too
+  const auto best = fit_yaw<double>(from, to);
+  CHECK(best.rotation.unit_quaternion().vec().head<2>() == Eigen::Vector2d::Zero());
+  const double least = squares(from, to, best);
+  for (const double step : {-1e-3, 1e-3}) {
+    auto other = best;
+    other.rotation = GroupTraits<Sophus::SO3d>::exp({0, 0, step}) * best.rotation;
+    other.translation = to.rowwise().mean() - other(Eigen::Vector3d(from.rowwise().mean()));
+    CHECK(squares(from, to, other) > least);
+    for (int axis = 0; axis < 3; ++axis) {
+      other = best;
+      other.translation[axis] += step;
+      CHECK(squares(from, to, other) > least);
+    }
+  }
+  // And none far away.
+  for (double yaw = 0.1; yaw < 6.2; yaw += 0.1) {
+    auto other = best;
+    other.rotation = GroupTraits<Sophus::SO3d>::exp({0, 0, yaw}) * best.rotation;
+    other.translation = to.rowwise().mean() - other(Eigen::Vector3d(from.rowwise().mean()));
+    CHECK(squares(from, to, other) > least);
+  }
+}
+
+TEST_CASE("Points that do not determine a heading are refused") {
+  const auto refused = [](const Points<double>& from, const Points<double>& to) {
+    return error_of([&] { (void)fit_yaw<double>(from, to); });
+  };
+  const auto points = helix<double>(4);
+  Points<double> line(3, 4), column(3, 4);
+  for (int i = 0; i < 4; ++i) {
+    line.col(i) = i / 3.0 * Eigen::Vector3d(0.1, 0.7, -0.3);
+    column.col(i) << 0.1, 0.2, 0.3 * i;
+  }
+  CHECK(refused(line, line) == "");  // enough for a heading
+  const auto degenerate =
+      "fit_yaw: 4 points do not determine a rotation about z, expected some that are not one above "
+      "the other";
+  CHECK(refused(column, points) == degenerate);
+  CHECK(refused(points, column) == degenerate);
+  CHECK(refused(points, helix<double>(5)) ==
+        "fit_yaw: 4 and 5 points, expected the same number of both, and at least 2");
+  CHECK(refused(helix<double>(1), helix<double>(1)) != "");
+  Points<double> bad = points;
+  bad(1, 2) = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refused(points, bad) == "fit_yaw: the points, or their squares, are not finite");
+}
+
+TEMPLATE_TEST_CASE("The first pairs alone can be aligned", "", SO3xR3<double>, Sophus::SE3d) {
+  using G = TestType;
+  SimilarityTransform<double> transform;
+  transform.rotation = GroupTraits<Sophus::SO3d>::exp({0, 0, 2.5});
+  transform.translation = {1, 2, 3};
+  std::vector<PosePair<G, double>> pairs;
+  const auto points = helix<double>(20);
+  for (int i = 0; i < 20; ++i) {
+    const G estimate = make_pose<G>(GroupTraits<Sophus::SO3d>::exp({0.1 * i, 0, 0.2}), points.col(i));
+    const G elsewhere = make_pose<G>(rotation(estimate), points.col(i) + Eigen::Vector3d(i >= 10 ? 5 : 0, 0, 0));
+    pairs.push_back({0.1 * i, transform(estimate), elsewhere});
+  }
+  const auto off = [&](const SimilarityTransform<double>& found) {
+    return increment(transform.rotation, found.rotation).norm() + (transform.translation - found.translation).norm();
+  };
+  for (const auto kind : {Alignment::yaw, Alignment::se3, Alignment::sim3}) {
+    CHECK(off(alignment(pairs, kind, 10)) < 1e-12);
+    CHECK(off(alignment(pairs, kind)) > 0.1);
+    CHECK(off(alignment(pairs, kind, 20)) == off(alignment(pairs, kind, 1000)));
+  }
+  CHECK(off(alignment(pairs, Alignment::yaw, 1)) < 1e-14);  // from its attitudes
+  CHECK(aligned(pairs, Alignment::yaw, 10)[10].time == pairs[10].time);
+  CHECK(error_of([&] { (void)alignment(pairs, Alignment::se3, 2); }) != "");
+  CHECK(error_of([&] { (void)alignment(pairs, Alignment::se3, 0); }) == "alignment: no pairs of poses");
+  // Of a tilted pair the heading that is nearest; of one upside down there is none.
+  const Sophus::SO3d tilt = GroupTraits<Sophus::SO3d>::exp({0.3, 0, 0});
+  pairs[0].reference = make_pose<G>(tilt * transform.rotation * tilt * rotation(pairs[0].estimate), {0, 0, 0});
+  const auto found = alignment(pairs, Alignment::yaw, 1);
+  CHECK(std::abs(increment(transform.rotation, found.rotation).z()) < 0.1);
+  CHECK(found.rotation.unit_quaternion().x() == 0);
+  CHECK(found.rotation.unit_quaternion().y() == 0);
+  pairs[0].estimate = make_pose<G>({}, {0, 0, 0});
+  pairs[0].reference = make_pose<G>(Sophus::SO3d(Eigen::Quaterniond(0, 1, 0, 0)), {0, 0, 0});
+  CHECK(error_of([&] { (void)alignment(pairs, Alignment::yaw, 1); }) ==
+        "alignment: the first pair of attitudes does not determine a rotation about z");
+}

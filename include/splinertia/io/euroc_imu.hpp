@@ -55,6 +55,9 @@ class EurocImuWriter {
     table_.append(sample.time, sample.gyro, sample.accel);
   }
 
+  /// A line that read_euroc_imu passes over, `# ` and the text, where the next sample comes.
+  void comment(std::string_view text) { table_.comment(text); }
+
   void commit() { table_.commit(); }
 
  private:

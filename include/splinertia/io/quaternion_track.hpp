@@ -5,6 +5,8 @@
 #include <cmath>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/stamped_table.hpp>
+#include <splinertia/message.hpp>
+#include <string>
 
 namespace splinertia {
 
@@ -19,17 +21,29 @@ class QuaternionTrack {
   static constexpr double norm_tolerance = 1e-3;
   static constexpr double exact_norm = 1e-12;
 
-  [[nodiscard]] Sophus::SO3d next(const StampedTable& row, const Eigen::Quaterniond& q) {
+  /// Whether the norm is 1 within `norm_tolerance`.
+  [[nodiscard]] static bool is_unit(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1) <= norm_tolerance; }
+
+  /// The rotation of the next quaternion. Requires is_unit(q).
+  [[nodiscard]] Sophus::SO3d next(const Eigen::Quaterniond& q) {
     const double norm = q.norm();
-    if (!(std::abs(norm - 1) <= norm_tolerance)) {
-      row.fail("quaternion with w x y z = ", q.w(), ' ', q.x(), ' ', q.y(), ' ', q.z(), " has norm ", norm,
-               ", expected 1 within ", norm_tolerance);
-    }
     Eigen::Vector4d coefficients = q.coeffs();
     if (std::abs(norm - 1) > exact_norm) coefficients /= norm;
     if (coefficients.dot(previous_) < 0) coefficients = -coefficients;
     previous_ = coefficients;
     return rotation_from_unit_quaternion<double>(Eigen::Quaterniond{coefficients});
+  }
+
+  /// The rotation of the next quaternion, which stands in a row of a table.
+  [[nodiscard]] Sophus::SO3d next(const StampedTable& row, const Eigen::Quaterniond& q) {
+    if (!is_unit(q)) row.fail(problem_of(q));
+    return next(q);
+  }
+
+  /// What is wrong with a quaternion that is not unit, as text.
+  [[nodiscard]] static std::string problem_of(const Eigen::Quaterniond& q) {
+    return message("quaternion with w x y z = ", q.w(), ' ', q.x(), ' ', q.y(), ' ', q.z(), " has norm ", q.norm(),
+                   ", expected 1 within ", norm_tolerance);
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Times as decimal seconds in text, exact to the nanosecond: no double in between, which could not hold an epoch
+/// Times as decimal numbers in text, exact to the nanosecond: no double in between, which could not hold an epoch
 /// stamp.
 #pragma once
 
@@ -39,18 +39,19 @@ struct DecimalText {
   return {{mantissa, static_cast<std::int64_t>(point) + exponent.value}};
 }
 
-/// Reads decimal seconds, plain (1305031098.6659) or scientific (1.305031098665900000e+09, as numpy.savetxt writes), to
-/// the nearest nanosecond, half away from zero. What is no such number or does not fit in 64 bits is a problem.
-[[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_seconds(std::string_view text) {
+/// Reads a decimal number of units of 10^-places s, plain (1305031098.6659) or scientific (1.305031098665900000e+09, as
+/// numpy.savetxt writes), to the nearest nanosecond, half away from zero. What is no such number or does not fit in
+/// 64 bits is a problem.
+[[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_time(std::string_view text, int places) {
   const Parsed<std::chrono::nanoseconds> too_large{{}, "does not fit in 64-bit nanoseconds"};
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   const Parsed<DecimalText> decimal = scan_decimal(text);
-  if (decimal.problem) return {{}, decimal.problem};
+  if (decimal.problem) return {{}, places == 0 ? decimal.problem : "is not a number"};
 
   // The first `kept` digits are whole nanoseconds, the next one rounds. Counted downwards, to reach the lowest value.
   constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
-  const std::int64_t kept = decimal.value.point + 9;
+  const std::int64_t kept = decimal.value.point + 9 - places;
   std::int64_t count = 0, position = 0;
   for (const char c : decimal.value.mantissa) {
     if (c == '.') continue;
@@ -70,6 +71,11 @@ struct DecimalText {
   }
   if (!negative && count == lowest) return too_large;
   return {std::chrono::nanoseconds{negative ? count : -count}};
+}
+
+/// Reads decimal seconds, as parse_time.
+[[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_seconds(std::string_view text) {
+  return parse_time(text, 0);
 }
 
 /// Writes a time as seconds with nine decimals, exactly, and returns the end of the text. Requires room for

@@ -13,6 +13,7 @@
 #include <splinertia/io/table_layout.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
+#include <string_view>
 
 namespace splinertia {
 
@@ -44,6 +45,14 @@ class StampedTableWriter {
     ((end = write_values(end, values)), ...);
     *end++ = '\n';
     file_.advance(end);
+  }
+
+  /// A line that readers pass over: `# ` and a text without line breaks.
+  void comment(std::string_view text) {
+    assert(text.find_first_of("\n\r") == text.npos);
+    file_.append("# ");
+    file_.append(text);
+    file_.append('\n');
   }
 
   /// Completes the file.

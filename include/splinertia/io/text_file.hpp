@@ -64,11 +64,19 @@ class TextFile {
   /// Goes to the next line of data; false at the end of the file. Throws std::runtime_error if the file cannot be read
   /// on.
   [[nodiscard]] bool next() {
+    while (next_or_comment()) {
+      if (line_.front() != '#') return true;
+    }
+    return false;
+  }
+
+  /// As next(), but stops at comments, too.
+  [[nodiscard]] bool next_or_comment() {
     while (next_line()) {
       if (++number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
       if (line_.ends_with('\r')) line_.remove_suffix(1);
       line_ = trim(line_);
-      if (!line_.empty() && line_.front() != '#') return true;
+      if (!line_.empty()) return true;
     }
     return false;
   }
@@ -86,6 +94,9 @@ class TextFile {
     if (file_.size() == 0) return 0;
     return std::min(1.0, static_cast<double>(behind) / static_cast<double>(file_.size()));
   }
+
+  /// The name of the file, for messages.
+  [[nodiscard]] const std::string& path() const { return file_.path(); }
 
   /// Throws std::runtime_error "path:line: …" with the parts joined; without the line before the first.
   template <typename... Parts>

@@ -1,55 +1,168 @@
 // SPDX-License-Identifier: MIT
-/// Trajectories in whichever of the known formats.
+/// Trajectories in whichever of the known formats, or in a format that is described.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/io/euroc_groundtruth.hpp>
-#include <splinertia/io/number_text.hpp>
+#include <splinertia/io/detail/trajectory_columns.hpp>
+#include <splinertia/io/detail/trajectory_head.hpp>
+#include <splinertia/io/detail/trajectory_layout.hpp>
+#include <splinertia/io/detail/trajectory_row.hpp>
+#include <splinertia/io/detail/trajectory_stamps.hpp>
+#include <splinertia/io/detail/trajectory_table.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/io/tum.hpp>
+#include <splinertia/io/trajectory_format.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace splinertia {
 
-enum class TrajectoryFormat { tum, euroc };
+/// What a trajectory file says. Of velocities and biases there is one a pose, or none.
+struct TrajectoryFile {
+  std::vector<Stamped<SO3xR3<double>>> poses{};  ///< T_WB [m], times increasing
+  std::vector<Eigen::Vector3d> velocities{};     ///< in W [m/s]
+  std::vector<Eigen::Vector3d> gyro_biases{};    ///< in B [rad/s]
+  std::vector<Eigen::Vector3d> accel_biases{};   ///< in B [m/s²]
+  std::vector<std::string> notes{};              ///< what was taken or assumed, a sentence each, for people to read
+};
 
-/// Tells TUM from EuRoC by what stands in the file, not by its name. Eight columns are TUM if the time has decimals and
-/// EuRoC if it is whole and has commas behind it or could not be seconds (≥ 1e12); rows that leave both open are passed
-/// over, because the formats differ in the order of the quaternion. Seventeen columns are EuRoC. Throws
-/// std::runtime_error with file:line where a row is neither, or if no row tells.
-[[nodiscard]] inline TrajectoryFormat recognize_trajectory(const std::filesystem::path& path) {
-  constexpr std::string_view expected =
-      ", expected TUM (t tx ty tz qx qy qz qw, blanks between, t in seconds with decimals) or EuRoC (8 or 17 columns "
-      "ns,px,py,pz,qw,qx,qy,qz[,vx,vy,vz,bwx,bwy,bwz,bax,bay,baz], t in whole nanoseconds)";
-  constexpr std::int64_t no_seconds = 1'000'000'000'000;
-  TextFile file(path);
-  std::vector<std::string_view> fields;
-  bool rows = false;
-  for (; file.next(); rows = true) {
-    split_fields(file.line(), fields);
-    const bool commas = file.line().find(',') != std::string_view::npos;
-    const bool short_row = fields.size() == euroc_poses_layout.fewest_columns;
-    const bool long_row = fields.size() == euroc_poses_layout.columns.size();
-    const Parsed<std::int64_t> stamp = parse_integer(fields[0]);
-    if (!stamp.problem && (long_row || (short_row && (commas || stamp.value >= no_seconds))))
-      return TrajectoryFormat::euroc;
-    if (stamp.problem && short_row && !commas && !parse_seconds(fields[0]).problem) return TrajectoryFormat::tum;
-    if (stamp.problem || !short_row) file.fail(excerpt(file.line()), " is no row of a trajectory", expected);
+namespace detail {
+
+/// The stamps in a file with one a line; the unit is that given, or it is chosen as for poses, usually seconds.
+[[nodiscard]] inline std::vector<std::chrono::nanoseconds> read_times(const TrajectoryFormat& format,
+                                                                      std::vector<std::string>& notes) {
+  TextFile file(format.times);
+  std::vector<NumberedLine> lines;
+  while (file.next()) lines.push_back({file.line_number(), std::string(file.line())});
+  std::vector<std::string_view> first;
+  for (const NumberedLine& line : lines) {
+    if (first.size() == TrajectoryHead::most_rows) break;
+    first.push_back(line.text);
   }
-  file.fail(rows ? "whole stamps below 1e12 may be seconds or nanoseconds" : "no rows", expected);
+  const TimeUnit unit = choose_time_unit(StampSample(first), format.time_unit, std::nullopt, TimeUnit::seconds,
+                                         message(file.path(), ": "), notes);
+  std::vector<std::chrono::nanoseconds> times;
+  for (const NumberedLine& line : lines) {
+    const auto time = parse_time(line.text, static_cast<int>(unit));
+    if (time.problem) {
+      throw std::runtime_error(message(file.path(), ':', line.number, ": ", excerpt(line.text), ' ', time.problem,
+                                       ", expected a time [", time_unit_name(unit), "]"));
+    }
+    times.push_back(time.value);
+  }
+  return times;
 }
 
-/// The poses T_WB [m] of a TUM or EuRoC file. Throws std::runtime_error with file:line if it is neither
-/// (recognize_trajectory), or for the first thing wrong in it (read_tum, read_euroc_poses).
-[[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_trajectory(const std::filesystem::path& path) {
-  return recognize_trajectory(path) == TrajectoryFormat::tum ? read_tum(path) : read_euroc_poses(path);
+/// The times of the rows of a file without stamps.
+class RowTimes {
+ public:
+  RowTimes(const TrajectoryFormat& format, TrajectoryLayout& layout) : rate_(format.rate), times_file_(format.times) {
+    if (times_file_.empty()) return;
+    times_ = read_times(format, layout.notes);
+    layout.unit = TimeUnit::seconds;
+  }
+
+  [[nodiscard]] std::chrono::nanoseconds operator[](std::size_t row) const {
+    if (rate_) return std::chrono::nanoseconds{std::llround(static_cast<double>(row) * 1e9 / *rate_)};
+    return row < times_.size() ? times_[row] : std::chrono::nanoseconds{};
+  }
+
+  void require_rows(const TextFile& file, std::size_t rows) const {
+    if (times_file_.empty() || rows == times_.size()) return;
+    throw std::runtime_error(message(times_file_.string(), ": ", times_.size(), " times for the ", rows, " rows of ",
+                                     file.path(), ", expected as many"));
+  }
+
+ private:
+  std::optional<double> rate_;
+  std::filesystem::path times_file_;
+  std::vector<std::chrono::nanoseconds> times_;
+};
+
+/// All rows: those of the head, then what is still to come.
+[[nodiscard]] inline TrajectoryTable read_rows(TextFile& file, const TrajectoryHead& head, TrajectoryLayout layout,
+                                               const TrajectoryFormat& format) {
+  const bool stamps = layout.plan.has(column::time);
+  const RowTimes times(format, layout);
+  RowReader reader(layout);
+  TrajectoryTable table(file.path(), std::move(layout));
+  std::size_t row = 0;
+  const auto add = [&](std::string_view line, std::size_t number) {
+    if (auto bad = reader.read(line, number)) {
+      table.add_bad(std::move(*bad));
+    } else {
+      table.add(reader, stamps ? reader.time() : times[row], number);
+    }
+    ++row;
+  };
+  for (const NumberedLine& line : head.rows) add(line.text, line.number);
+  while (file.next()) {
+    if (row % 4096 == 0) table.expect_rows(row, file.progress());
+    add(file.line(), file.line_number());
+  }
+  if (!stamps) times.require_rows(file, row);
+  return table;
+}
+
+/// Velocities that are all zero along poses that move are a writer's way to say that it has none.
+inline void drop_zero_velocities(TrajectoryFile& result) {
+  const auto zero = [](const Eigen::Vector3d& v) { return v.isZero(0); };
+  if (result.velocities.empty() || !std::all_of(result.velocities.begin(), result.velocities.end(), zero)) return;
+  result.velocities.clear();
+  const auto all_zero = [&](const auto& biases) { return std::all_of(biases.begin(), biases.end(), zero); };
+  const bool biases = !result.gyro_biases.empty() && all_zero(result.gyro_biases) && all_zero(result.accel_biases);
+  if (biases) {
+    result.gyro_biases.clear();
+    result.accel_biases.clear();
+  }
+  result.notes.push_back(
+      message("velocities", biases ? " and biases" : "", " are all zero: the file counts as without"));
+}
+
+}  // namespace detail
+
+/// Reads the poses T_WB [m] of a trajectory file, and velocities and biases where it has them. The file is opened once
+/// and may be a pipe. What the format leaves open is taken from the names of the columns, the number of columns and the
+/// stamps; the notes say what was taken.
+///
+/// The order of a quaternion cannot be found in the motion: read in the other order, R becomes A R⁻¹ B with constant A
+/// and B, which is as smooth. It is known by a header, by a format that has one order, or by the user.
+///
+/// Throws std::runtime_error with file:line for what is wrong in the file: what cannot be known, with the option that
+/// tells it; bad rows, with the first of them and their number (skip_bad_rows leaves them out). Throws
+/// std::invalid_argument for a format that contradicts itself or the file.
+[[nodiscard]] inline TrajectoryFile read_trajectory(const std::filesystem::path& path,
+                                                    const TrajectoryFormat& format = {}) {
+  TextFile file(path);
+  const detail::TrajectoryHead head(file);
+  detail::TrajectoryTable table =
+      detail::read_rows(file, head, detail::LayoutChoice(file, head, format).choose(), format);
+  table.remove_wrong_stamps();
+  TrajectoryFile result;
+  result.notes = std::move(table.layout.notes);
+  if (table.bad_rows() > 0) {
+    if (!format.skip_bad_rows || table.poses.empty()) table.refuse_bad_rows();
+    result.notes.push_back(table.skipped_text());
+  }
+  table.require_sane_times();
+  result.poses = std::move(table.poses);
+  result.velocities = std::move(table.velocities);
+  result.gyro_biases = std::move(table.gyro_biases);
+  result.accel_biases = std::move(table.accel_biases);
+  detail::drop_zero_velocities(result);
+  return result;
 }
 
 }  // namespace splinertia

@@ -40,8 +40,8 @@ template <typename Curve, StampedPoses Poses>
   };
   Fit<Curve> result = fit_once(options);
   if (!result.knot_choice) return result;
-  // The choice is made before the curve is known. Where the curve then turns too far from one control point to the next,
-  // or leaves out more poses than chance does, knots nearer together are tried.
+  // The choice is made before the curve is known. Where the curve then turns too far from one control point to the
+  // next, or leaves out more poses than chance does, knots nearer together are tried.
   const auto turns_too_far = [](const Fit<Curve>& fit) {
     const auto& increments = fit.spline.increments();
     return std::any_of(increments.begin(), increments.end(), [](const auto& d) {

@@ -83,6 +83,12 @@ template <typename Curve, StampedPoses Poses>
     }
     data.push_back({time, value});
   }
+  if constexpr (!std::floating_point<Time>) {
+    if (!data.empty() && data.front().time < Time(0) && data.back().time > Time::max() + data.front().time) {
+      throw std::invalid_argument(message(whose, ": poses from ", printable(data.front().time), " to ",
+                                          printable(data.back().time), " span more ticks than 64 bits count"));
+    }
+  }
   return data;
 }
 

@@ -82,20 +82,21 @@ class FitProblem {
     fit_.standard_deviation = options_.standard_deviation.value_or(Tangent<G>::Ones());
     noise_ = options_.standard_deviation.value_or(deviation_of_residuals());
     if (!options_.standard_deviation && !(squares && priorless())) {
-      minimize_with(RobustLoss::squares(), rough, 5);
+      // A step or two of squares show the noise to a factor of two, which is what the prior asks for.
+      const int steps = squares ? 1 : 5;
+      minimize_with(RobustLoss::squares(), rough, steps);
       for (int round = 0; round < 10; ++round) {
         const Tangent<G> before = noise_;
         noise_ = deviation_of_residuals();
         if (!squares) fit_.standard_deviation = noise_;
-        // What holds gaps and ends need not be exact.
         if (squares ? (noise_.array() > before.array() / 2).all()
                     : round > 0 && noise_.isApprox(before, Scalar(1) / Scalar(100))) {
           break;
         }
-        minimize_with(options_.loss, rough, 5);
+        minimize_with(options_.loss, rough, steps);
       }
     } else if (!priorless()) {
-      minimize_with(options_.loss, rough, 5);
+      minimize_with(options_.loss, rough, squares ? 1 : 5);
     }
     // Squares converge quadratically or nearly; weights that are found anew in each step do so linearly, and what is
     // left of them moves nothing.

@@ -18,7 +18,8 @@ namespace splinertia {
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] double median_interval(const std::vector<Stamped<G, Time>>& poses) {
   std::vector<double> intervals;
-  for (std::size_t i = 1; i < poses.size(); ++i) intervals.push_back(seconds<double>(poses[i].time - poses[i - 1].time));
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    intervals.push_back(seconds<double>(poses[i].time - poses[i - 1].time));
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::nth_element(intervals.begin(), middle, intervals.end());
   return *middle;

@@ -70,8 +70,8 @@ class InertialTerm {
   /// Stands on the diagonal for the information about an unknown of which there is none.
   static constexpr Scalar nothing = std::numeric_limits<Scalar>::min();
 
-  /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is not finite or not later
-  /// than the one before it, for bad options, and if no sample is left.
+  /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
+  /// not finite or not later than the one before it, for bad options, and if no sample is left.
   template <std::ranges::forward_range Samples>
     requires ImuSample<std::ranges::range_value_t<Samples>, Scalar,
                        std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>

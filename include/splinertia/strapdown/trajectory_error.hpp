@@ -10,18 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <ranges>
 #include <splinertia/finite.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/strapdown/trajectory_alignment.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
+#include <splinertia/strapdown/trajectory_pairs.hpp>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace splinertia {
@@ -43,76 +41,6 @@ template <Pose G, TimePoint Time>
         {(position(estimate) - position(reference)).norm(), increment(rotation(reference), rotation(estimate)).norm()});
   }
   return errors;
-}
-
-/// Where relative errors are taken: from the first index to the second.
-using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
-/// One after the other, (0, d) (d, 2d) …; or from every index on, overlapping.
-enum class PairSelection { consecutive, all };
-
-/// Indices `delta` apart, of `size` in all. Throws std::invalid_argument for delta = 0 and if there are none.
-[[nodiscard]] inline IndexPairs index_pairs_by_frames(std::size_t size, std::size_t delta,
-                                                      PairSelection selection = PairSelection::consecutive) {
-  IndexPairs indices;
-  const std::size_t step = selection == PairSelection::all ? 1 : delta;
-  if (delta > 0) {
-    for (std::size_t i = 0; i < size && size - i > delta; i += step) indices.emplace_back(i, i + delta);
-  }
-  if (indices.empty()) {
-    throw std::invalid_argument(message("index_pairs_by_frames: delta ", delta, ", expected 1 or more, and less than ",
-                                        size, ", which is how many poses there are"));
-  }
-  return indices;
-}
-
-/// Indices between which the estimate has come `delta` metres along its path. Consecutive: the first index at which it
-/// has come as far, or farther. All: the index at which it has come nearest to that far, if to within
-/// tolerance · delta. Throws std::invalid_argument for delta ≤ 0 and if there are none.
-template <Pose G, TimePoint Time>
-[[nodiscard]] IndexPairs index_pairs_by_path(const std::vector<PosePair<G, Time>>& pairs,
-                                             std::type_identity_t<ScalarOf<G>> delta,
-                                             PairSelection selection = PairSelection::consecutive,
-                                             std::type_identity_t<ScalarOf<G>> tolerance = ScalarOf<G>(1) /
-                                                                                           ScalarOf<G>(10)) {
-  using Scalar = ScalarOf<G>;
-  using std::abs;
-  if (!(delta > Scalar(0)) || !is_finite(delta)) {
-    throw std::invalid_argument(message("index_pairs_by_path: delta ", delta, " m, expected a length > 0"));
-  }
-  const auto length = [&](std::size_t i) {
-    return (position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm();
-  };
-  IndexPairs indices;
-  if (selection == PairSelection::consecutive) {
-    std::size_t start = 0;
-    Scalar path(0);
-    for (std::size_t i = 1; i < pairs.size(); ++i) {
-      path += length(i);
-      if (!(path >= delta)) continue;
-      indices.emplace_back(start, i);
-      start = i;
-      path = Scalar(0);
-    }
-  } else {
-    std::vector<Scalar> path(pairs.size(), Scalar(0));
-    for (std::size_t i = 1; i < path.size(); ++i) path[i] = path[i - 1] + length(i);
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto miss = [&](auto at) { return abs(*at - path[i] - delta); };
-      const auto next = path.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-      auto best = std::partition_point(next, path.end(), [&](Scalar s) { return s - path[i] < delta; });
-      // The one before is as good or better? Of several at the same place, take the first.
-      if (best == path.end() || (best != next && miss(best - 1) <= miss(best))) {
-        best = std::lower_bound(next, path.end(), *(best - 1));
-      }
-      if (miss(best) <= delta * tolerance) indices.emplace_back(i, static_cast<std::size_t>(best - path.begin()));
-    }
-  }
-  if (indices.empty()) {
-    throw std::invalid_argument(
-        message("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta, " m of path apart"));
-  }
-  return indices;
 }
 
 /// RPE (translation part and rotation angle) between each two indices i, j: of E = (Q_i⁻¹ Q_j)⁻¹ (P_i⁻¹ P_j), with Q

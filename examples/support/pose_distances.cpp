@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/trajectory_fit.hpp"
+#include "support/pose_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,28 +10,20 @@
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 3);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 4);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 5);
-SPLINERTIA_EXAMPLES_FIT(, SO3xR3<double>, 6);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 3);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 4);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 5);
-SPLINERTIA_EXAMPLES_FIT(, Sophus::SE3d, 6);
-
-double default_knot_interval(const Poses& poses) {
-  std::vector<nanoseconds> intervals;
-  for (std::size_t i = 1; i < poses.size(); ++i) intervals.push_back(poses[i].time - poses[i - 1].time);
-  if (intervals.empty()) return 0.05;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return std::max(0.05, 2 * seconds<double>(*middle));
-}
-
 nanoseconds longest_interval(const Poses& poses) {
   nanoseconds longest{0};
   for (std::size_t i = 1; i < poses.size(); ++i) longest = std::max(longest, poses[i].time - poses[i - 1].time);
   return longest;
+}
+
+PoseDistances distances(const Poses& curve, const Poses& poses) {
+  PoseDistances result;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto &pose = poses[i].value, &value = curve[i].value;
+    result.rotation.push_back(increment(rotation(pose), rotation(value)));
+    result.position.push_back(position(value) - position(pose));
+  }
+  return result;
 }
 
 Lengths lengths(const std::vector<Eigen::Vector3d>& vectors, const std::vector<std::size_t>& but) {
@@ -86,21 +78,5 @@ std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& 
                               run.position, run.rotation);
   }
   if (all > most) lines.push_back(formatted("and in %zu more runs, which are less far off", all - most));
-  return lines;
-}
-
-std::vector<std::string> gap_lines(const Poses& poses, const std::vector<Gap>& gaps, std::size_t most) {
-  std::vector<std::string> lines;
-  for (const Gap& gap : gaps) {
-    if (lines.size() == most) {
-      lines.push_back(formatted("and %zu more", gaps.size() - most));
-      break;
-    }
-    const auto since_first = [&](nanoseconds time) { return seconds<double>(time - poses.front().time); };
-    lines.push_back(formatted("%.3f - %.3f s: ", since_first(gap.start), since_first(gap.end)) +
-                    (gap.first_control_point == gap.last_control_point
-                         ? formatted("control point %zu", gap.first_control_point)
-                         : formatted("control points %zu to %zu", gap.first_control_point, gap.last_control_point)));
-  }
   return lines;
 }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "compare_trajectories/comparison.hpp"
+#include "compare_trajectories/options.hpp"
+
+void print(const Comparison& comparison, std::size_t reference_poses, std::size_t estimate_poses,
+           const Options& options);
+
+/// The statistics, with all digits.
+void write_table(const std::filesystem::path& path, const Comparison& comparison);
+
+/// A row for each pair: both positions and the absolute errors.
+void write_errors(const std::filesystem::path& path, const Comparison& comparison);
+
+/// Draws the paths and the errors. Throws ScriptFailed, which has said why, or std::runtime_error.
+void plot(const Comparison& comparison, const Options& options);

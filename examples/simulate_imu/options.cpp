@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <charconv>
+#include <map>
+#include <splinertia/imu/presets.hpp>
+#include <splinertia/imu/random_walk.hpp>
+#include <splinertia/imu/white_noise.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "support/error_yaml.hpp"
+#include "support/kalibr.hpp"
+
+using namespace splinertia;
+
+namespace {
+
+const std::map<std::string, AnyImu>& preset_imus() {
+  static const std::map<std::string, AnyImu> table{{"course", any_imu(presets::course)},
+                                                   {"course-quiet", any_imu(presets::course_quiet)},
+                                                   {"mpu6050", any_imu(presets::mpu6050)},
+                                                   {"adis16448", any_imu(presets::adis16448)},
+                                                   {"stim300", any_imu(presets::stim300)},
+                                                   {"euroc", any_imu(presets::euroc)},
+                                                   {"ideal", any_imu(Imu<>{})}};
+  return table;
+}
+
+/// CLI11 takes -1 and what is too large for the largest number there is.
+void add_seed_option(CLI::App& app, std::uint64_t& seed) {
+  const auto read = [&seed](const std::string& text) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+      throw CLI::ValidationError("--seed", text + ", expected a whole number from 0 to 18446744073709551615");
+    }
+  };
+  app.add_option_function<std::string>("--seed", read, "of the noise; the same seed gives the same samples everywhere")
+      ->default_str("0");
+}
+
+void add_sensor_options(CLI::App& app, Options& o) {
+  app.add_option("--rate", o.rate, "IMU samples a second [Hz]; default: that of the Kalibr file, else 200");
+  auto* preset =
+      app.add_option("--preset", o.preset, "a known IMU")->check(CLI::IsMember(preset_imus()))->capture_default_str();
+  auto* errors = app.add_option("--errors", o.errors, "YAML file that lists its errors, see --help-errors");
+  auto* kalibr = app.add_option("--kalibr", o.kalibr, "Kalibr imu.yaml with its noise and rate");
+  preset->excludes(errors)->excludes(kalibr);
+  errors->excludes(kalibr);
+  app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)], in place of that of the above");
+  app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)], likewise");
+  app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)], likewise");
+  app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)], likewise");
+  add_gravity_option(app, o.gravity);
+  add_seed_option(app, o.seed);
+}
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& o) {
+  auto* trajectory = app.add_option("trajectory", o.input.file,
+                                    "trajectory of any format below, or a ROS bag; without it an analytic motion");
+  app.add_option("--motion", o.motion, "analytic motion")
+      ->check(CLI::IsMember({"ellipse", "circle", "coning", "rest"}))
+      ->excludes(trajectory)
+      ->capture_default_str();
+  app.add_option("--duration", o.duration, "of an analytic motion [s]")->excludes(trajectory)->capture_default_str();
+  add_sensor_options(app, o);
+  app.add_flag("--keep-holes", o.keep_holes, "keep the samples where there are no poses, which are invented")
+      ->needs(trajectory);
+  app.add_option("-o,--output", o.output,
+                 "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM), imu.yaml (Kalibr) and gaps.csv")
+      ->capture_default_str();
+  app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
+  app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
+  app.add_flag("--help-errors", o.help_errors, "say what a file for --errors can hold, and exit");
+  add_trajectory_options(app, o.input, trajectory);
+  add_fit_options(app, o.fit, trajectory);
+}
+
+void check(const Options& o) {
+  check(o.fit);
+  constexpr double most = 9e9;  // s; more than 292 years are too many nanoseconds
+  if (!(o.duration > 0 && o.duration <= most)) {
+    throw std::invalid_argument(
+        message("--duration: ", o.duration, ", expected a positive number of seconds up to ", most));
+  }
+}
+
+Sensor sensor_of(const Options& o) {
+  Sensor sensor;
+  if (!o.errors.empty()) {
+    sensor.errors = read_error_yaml(o.errors);
+  } else if (!o.kalibr.empty()) {
+    const KalibrImu imu = read_kalibr(o.kalibr);
+    sensor.errors = errors_of(imu);
+    sensor.rate = imu.update_rate;
+  } else {
+    sensor.errors = preset_imus().at(o.preset);
+  }
+  // A noise given by hand replaces those of its kind.
+  const auto replace = [](AnySensorModel& model, const auto& density, auto make) {
+    if (density) model.replace(make(*density));
+  };
+  const auto walk = [](double density) { return RandomWalk{density}; };
+  const auto noise = [](double density) { return WhiteNoise{density}; };
+  replace(sensor.errors.gyro, o.gyro_walk, walk);
+  replace(sensor.errors.gyro, o.gyro_noise, noise);
+  replace(sensor.errors.accel, o.accel_walk, walk);
+  replace(sensor.errors.accel, o.accel_noise, noise);
+  if (o.rate) sensor.rate = *o.rate;
+  return sensor;
+}

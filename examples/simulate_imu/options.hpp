@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "support/any_error_model.hpp"
+#include "support/fit_choices.hpp"
+#include "support/gravity_option.hpp"
+#include "support/trajectory_input.hpp"
+
+/// What the command line says.
+struct Options {
+  TrajectoryInput input;  // without a file: an analytic motion
+  FitChoices fit;
+  bool keep_holes = false;
+  std::string motion = "ellipse";
+  double duration = 20;
+  std::optional<double> rate;  // default: that of the Kalibr file, else 200
+  std::string preset = "course";
+  std::filesystem::path errors, kalibr;
+  std::optional<double> gyro_noise, gyro_walk, accel_noise, accel_walk;
+  GravityOption gravity;
+  std::uint64_t seed = 0;
+  std::filesystem::path output = ".";
+  std::filesystem::path csv;
+  bool npy = false;
+  bool help_errors = false;
+};
+
+void add_options(CLI::App& app, Options& options);
+
+/// Throws std::invalid_argument, naming the option.
+void check(const Options& options);
+
+/// What the simulated IMU does wrong, and its rate.
+struct Sensor {
+  AnyImu errors;
+  double rate = 200;
+};
+[[nodiscard]] Sensor sensor_of(const Options& options);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <splinertia/imu/imu.hpp>
+#include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/euroc_groundtruth.hpp>
+#include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/npy_imu.hpp>
+#include <splinertia/io/tum.hpp>
+#include <string>
+#include <vector>
+
+#include "dead_reckoning.hpp"
+#include "options.hpp"
+#include "support/holes.hpp"
+
+/// The files of a run. All appear with commit(), or none.
+class Output {
+ public:
+  /// Creates the folder and begins the files.
+  Output(const Options& options, const Sensor& sensor, const std::vector<Hole>& holes);
+
+  /// One sample, taken in the true state.
+  void append(const splinertia::StampedImuReading<double, std::chrono::nanoseconds>& reading, const TrueState& truth);
+  /// What comes next in imu.csv is in a hole.
+  void mark(const Hole& hole) { imu_csv_.comment(hole_comment(hole)); }
+  /// Completes the files and returns "imu.csv, groundtruth.csv and poses.tum".
+  [[nodiscard]] std::string commit();
+
+ private:
+  std::filesystem::path folder_;
+  splinertia::EurocImuWriter imu_csv_;
+  splinertia::EurocGroundtruthWriter groundtruth_csv_;
+  splinertia::TumWriter poses_tum_;
+  std::optional<splinertia::NpyImuWriter> imu_npy_;
+  std::optional<splinertia::AtomicFile> imu_yaml_, gaps_csv_;
+};

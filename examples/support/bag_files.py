@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""What the scripts about ROS bags share: opening one with the Python package rosbags, and how they end."""
+import contextlib
+import gc
+import importlib.metadata
+import math
+import os
+import pathlib
+import signal
+import sqlite3
+import sys
+import tempfile
+import time
+
+SUFFIXES = {"ros1": ".bag", "ros2-mcap": ".mcap", "ros2-sqlite": ".db3"}
+
+
+class Failure(Exception):
+    """One line about what is wrong, where, and what was expected."""
+
+
+class Progress:
+    """A line on standard error, for a person who waits: only on a terminal, and only after a second."""
+
+    def __init__(self):
+        self.start = time.monotonic()
+        self.next = self.start + 1 if sys.stderr.isatty() else math.inf
+        self.drawn = False
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.drawn:
+            print(end="\r\033[K", file=sys.stderr, flush=True)
+
+    def at(self, share):
+        now = time.monotonic()
+        if now < self.next or not share > 0:
+            return
+        self.next = now + 0.2
+        self.drawn = True
+        filled = round(40 * min(share, 1))
+        left = (now - self.start) * max(1 / share - 1, 0)
+        bar = "=" * filled + " " * (40 - filled)
+        print(f"\r[{bar}] {share:4.0%}, {left:.0f} s left ", end="", file=sys.stderr, flush=True)
+
+
+@contextlib.contextmanager
+def replacing(target):
+    """Gives a path beside the target to write a file or folder to, which becomes the target if all goes well."""
+    if not target.parent.is_dir():
+        raise Failure(f"{target.parent}: no such folder")
+    with tempfile.TemporaryDirectory(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent) as folder:
+        temporary = pathlib.Path(folder, target.name)
+        yield temporary
+        os.replace(temporary, target)
+
+
+def import_rosbags():
+    try:
+        import rosbags.rosbag1
+        import rosbags.rosbag2
+        import rosbags.typesys
+    except ImportError as error:
+        if error.name and error.name.split(".")[0] != "rosbags":
+            raise Failure(f"the Python package rosbags needs {error.name} (pip install {error.name})") from None
+        raise Failure("needs the Python package rosbags (pip install rosbags)") from None
+    version = importlib.metadata.version("rosbags")
+    if tuple(map(int, version.split(".")[:2])) < (0, 11):
+        raise Failure(f"needs rosbags 0.11 or newer, this is {version} (pip install --upgrade rosbags)")
+    return rosbags
+
+
+def open_bag(path):
+    rosbags = import_rosbags()
+    if not path.exists():
+        raise Failure(f"{path}: no such file or folder, expected a ROS 1 .bag, or a ROS 2 .mcap, .db3 or folder")
+    if path.is_dir() and not (path / "metadata.yaml").is_file():
+        raise Failure(f"{path}: no metadata.yaml in it, expected the folder of a ROS 2 bag")
+    if not path.is_dir() and path.suffix not in SUFFIXES.values():
+        raise Failure(f"{path}: unknown ending, expected a ROS 1 .bag, or a ROS 2 .mcap, .db3 or folder")
+    ros1 = path.suffix == ".bag" and not path.is_dir()
+    return (rosbags.rosbag1 if ros1 else rosbags.rosbag2).Reader(path), ros1
+
+
+def choose_topic(path, connections, types, kind, wanted):
+    """The connections of the wanted topic, or of the only one, whose messages are of one of the types."""
+    suitable = [connection for connection in connections if connection.msgtype in types]
+    topics = sorted({connection.topic for connection in suitable})
+    listed = ", ".join(topics)
+    if not topics:
+        others = ", ".join(sorted({f"{connection.topic} ({connection.msgtype})" for connection in connections}))
+        names = " or ".join(name.replace("/msg/", "/") for name in types)
+        raise Failure(f"{path}: no topic of {names}{', only ' + others if others else ''}")
+    if wanted is None and len(topics) > 1:
+        raise Failure(f"{path}: several {kind} topics, expected --topic with one of {listed}")
+    if wanted is not None and wanted not in topics:
+        raise Failure(f"{path}: no {kind} topic {wanted}, expected one of {listed}")
+    return [connection for connection in suitable if connection.topic == (wanted or topics[0])]
+
+
+@contextlib.contextmanager
+def opened(path):
+    """The open reader of a bag, and whether it is one of ROS 1."""
+    with contextlib.ExitStack() as stack:
+        try:
+            reader, ros1 = open_bag(path)
+            stack.enter_context(reader)
+        except (Failure, PermissionError):
+            raise
+        except Exception as error:
+            raise Failure(unreadable(path, error)) from None
+        yield reader, ros1
+
+
+def guarded(path, items):
+    """The items; whatever goes wrong inside the reader (it meets damaged files with all sorts of exceptions) is said."""
+    try:
+        yield from items
+    except Exception as error:
+        raise Failure(unreadable(path, error)) from None
+
+
+def unreadable(path, error):
+    # The type too, as texts such as "unpack requires 4 bytes" say little.
+    return f"{path}: damaged or no such bag: {type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def run(script, command, arguments, output):
+    """Runs command(arguments, progress) and exits: 2 with one line about what is wrong, where something is."""
+    gc.disable()  # nothing here makes cycles, and looking for them among the index of a large bag takes a fifth of the time
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that temporaries go
+    try:
+        with Progress() as progress:
+            command(arguments, progress)
+    except Failure as failure:
+        problem = str(failure)
+    except OSError as error:
+        problem = f"{error.filename or output}: {error.strerror or error}"
+    except sqlite3.Error as error:
+        problem = f"{output}: {error}"
+    except KeyboardInterrupt:
+        sys.exit(130)
+    else:
+        return
+    print(f"{script}: {problem}", file=sys.stderr)
+    sys.exit(2)

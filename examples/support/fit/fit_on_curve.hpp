@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// fit_trajectory() on a group and of an order that the compiler knows. It takes long to compile, so that each pair has
+// a source file of its own in this folder.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <splinertia/message.hpp>
+#include <splinertia/spline/adaptive_fit.hpp>
+#include <splinertia/spline/choose_knots.hpp>
+#include <splinertia/spline/fit.hpp>
+#include <splinertia/spline/interpolate.hpp>
+#include <splinertia/spline/knot_choice.hpp>
+#include <splinertia/strapdown/inertial_fit.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "support/fitted_trajectory.hpp"
+#include "support/formatted.hpp"
+#include "support/progress.hpp"
+
+namespace {
+
+using namespace splinertia;
+using std::chrono::nanoseconds;
+
+/// Calls work(), and says which file it is about, and which options help, where the library refuses its values.
+auto about(const std::filesystem::path& file, const char* help, const auto& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(message(file.string(), ": ", error.what(), help));
+  }
+}
+
+template <Pose G>
+Tangent<G> tangent(double rotation, double position) {
+  const auto r = Eigen::Vector3d::Constant(rotation), p = Eigen::Vector3d::Constant(position);
+  Tangent<G> result;
+  if constexpr (SplitPose<G>) {
+    result << r, p;
+  } else {
+    result << p, r;
+  }
+  return result;
+}
+
+template <typename Curve>
+FitOptions<Curve> fit_options(const FitChoices& o) {
+  using G = typename Curve::Group;
+  FitOptions<Curve> options;
+  if (o.loss == "huber") options.loss = RobustLoss::huber();
+  if (o.loss == "cauchy") options.loss = RobustLoss::cauchy();
+  if (o.position_deviation) options.standard_deviation = tangent<G>(*o.rotation_deviation, *o.position_deviation);
+  if (o.position_density) {
+    options.smoothness = {o.smooth_derivative, tangent<G>(*o.rotation_density, *o.position_density)};
+  }
+  options.outlier_limit = o.outlier_limit;
+  options.most_iterations = o.most_iterations;
+  return options;
+}
+
+/// Why fit() has placed the knots where it has.
+inline std::string why(KnotLimit limit) {
+  switch (limit) {
+    case KnotLimit::motion:
+      return "chosen: further apart they would miss motion beyond the noise of the poses";
+    case KnotLimit::poses:
+      return "chosen: as close as the poses, which are sparse for their motion";
+    case KnotLimit::turn:
+      return "chosen: further apart neighbouring control points would turn by more than 120 deg";
+    case KnotLimit::length:
+      break;
+  }
+  return "chosen: the poses show no motion that needs closer ones";
+}
+
+/// What can be seen of a curve, once it is there.
+template <typename Curve>
+void describe_curve(const Curve& curve, const Poses& poses, FittedTrajectory& result) {
+  const auto& knots = curve.knots();
+  if constexpr (requires { knots.interval; }) {
+    result.interval = knots.interval;
+  } else {
+    result.knots = knots.knots;
+  }
+  for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
+    const auto& x = curve.control_points()[i];
+    result.control_points.push_back(
+        {knots.control_point_time(i, Curve::order), SO3xR3<double>{rotation(x), position(x)}});
+  }
+  for (const auto& pose : poses) result.smoothed.push_back({pose.time, result.curve.evaluate<0>(pose.time).value});
+  result.distances = distances(result.smoothed, poses);
+}
+
+/// What a fit says beside its curve.
+template <typename Curve>
+void describe_fit(const Fit<Curve>& fit, bool with_imu, FittedTrajectory& result) {
+  const auto& deviation = fit.standard_deviation;
+  constexpr bool split = SplitPose<typename Curve::Group>;
+  result.rotation_deviation = split ? deviation.template head<3>() : deviation.template tail<3>();
+  result.position_deviation = split ? deviation.template tail<3>() : deviation.template head<3>();
+  result.outliers = fit.outliers;
+  // An IMU that the curve was fitted to measures it everywhere.
+  for (const auto& gap : fit.gaps) {
+    if (!with_imu) result.holes.push_back({gap.start, gap.end});
+  }
+  result.held_control_points = fit.held_control_points;
+  if (fit.knot_choice) result.why_interval = why(fit.knot_choice->limit);
+  result.iterations = fit.iterations;
+  result.converged = fit.converged;
+  result.condition = fit.condition;
+}
+
+inline InertialOptions<double> inertial_options(const FitImu& imu) {
+  InertialOptions<double> options{.gyro_standard_deviation = imu.gyro_deviation.value_or(0.01),
+                                  .accel_standard_deviation = imu.accel_deviation.value_or(0.1)};
+  options.calibration.gravity = imu.gravity;
+  options.estimate_lever_arm = imu.estimate_lever_arm;
+  options.estimate_time_offset = imu.estimate_time_offset;
+  return options;
+}
+
+/// The residuals of the samples within the curve.
+inline FittedImu describe_imu(const CalibratedImu<double>& calibrated, const InertialOptions<double>& options,
+                              const FittedTrajectory& fitted, const std::vector<EurocImu>& samples) {
+  FittedImu imu{calibrated, options.gyro_standard_deviation, options.accel_standard_deviation};
+  for (const EurocImu& sample : samples) {
+    const nanoseconds time = after(sample.time, calibrated.calibration.time_offset);
+    if (time < fitted.curve.start() || time > fitted.curve.end()) continue;
+    const auto reading = calibrated_imu(fitted.curve.evaluate<2>(time), calibrated.calibration);
+    imu.samples.push_back({sample.time, reading.gyro, reading.accel, reading.gyro - sample.gyro,
+                           reading.accel - sample.accel, hole_at(fitted.holes, time).has_value()});
+  }
+  return imu;
+}
+
+/// Of samples whose noise is not known it is what they leave.
+template <typename Curve>
+FittedImu calibrate(const Curve& curve, const FittedTrajectory& fitted, const FitImu& imu) {
+  const Stage stage("calibrating the IMU");
+  InertialOptions<double> options = inertial_options(imu);
+  return about(imu.file, "", [&] {
+    if (!imu.gyro_deviation) {
+      const CalibratedImu<double> first = calibrate_imu(curve, imu.samples, options);
+      options.gyro_standard_deviation = std::max(first.gyro_rms, 1e-12);
+      options.accel_standard_deviation = std::max(first.accel_rms, 1e-12);
+    }
+    return describe_imu(calibrate_imu(curve, imu.samples, options), options, fitted, imu.samples);
+  });
+}
+
+/// Sets the knot interval as the choices say; where they say nothing, fit() chooses.
+template <typename Curve>
+void place_knots(const PosesOf<Curve>& data, const FitChoices& o, FitOptions<Curve>& options,
+                 FittedTrajectory& result) {
+  if (o.cross_validate) {
+    const Stage stage("cross-validating knot intervals");
+    CrossValidation found = cross_validated_knot_interval<Curve>(data, options);
+    options.knot_interval = result.chosen_interval = found.knot_interval;
+    result.tried = std::move(found.tried);
+  } else if (o.goal_position) {
+    const Stage stage("searching the coarsest knots that meet the goals");
+    const auto goal = tangent<typename Curve::Group>(*o.goal_rotation, *o.goal_position);
+    options.knot_interval = result.chosen_interval = coarsest_knot_interval<Curve>(data, goal, options);
+  } else {
+    options.knot_interval = o.knot_interval;
+  }
+}
+
+template <Pose G, int Order>
+FittedTrajectory fit_uniform(const FitInput& input, const FitChoices& o, const FitImu* imu) {
+  using Curve = Spline<G, Order, UniformKnots<nanoseconds>>;
+  const auto data = about(input.file, "", [&] { return fit_data<Curve>(input.poses, "poses"); });
+  FitOptions<Curve> options = fit_options<Curve>(o);
+  FittedTrajectory result;
+  std::optional<Fit<Curve>> fitted;
+  about(input.file, " (--knot-interval; --smooth-position)", [&] {
+    place_knots<Curve>(data, o, options, result);
+    const Stage stage("fitting");
+    fitted.emplace(fit<Curve>(data, options));
+  });
+  std::optional<InertialFit<Curve>> both;
+  const bool together = imu && imu->fit_together;
+  if (together) {
+    const Stage stage("fitting poses and IMU together");
+    options.standard_deviation = fitted->standard_deviation;
+    if (fitted->knot_choice) options.knot_interval = fitted->knot_choice->interval;
+    about(imu->file, "",
+          [&] { both.emplace(inertial_fit<Curve>(data, imu->samples, options, inertial_options(*imu))); });
+  }
+  const Fit<Curve>& final_fit = both ? *both : *fitted;
+  result.curve = AnyTrajectory(final_fit.spline);
+  describe_fit(final_fit, together, result);
+  describe_curve(final_fit.spline, input.poses, result);
+  if (both) result.imu = describe_imu(both->imu, inertial_options(*imu), result, imu->samples);
+  if (imu && !together) result.imu = calibrate(final_fit.spline, result, *imu);
+  return result;
+}
+
+template <Pose G, int Order>
+FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, const FitImu* imu) {
+  using Curve = Spline<G, Order, NonUniformKnots<nanoseconds>>;
+  FittedTrajectory result;
+  const Curve curve = about(input.file, "", [&]() -> Curve {
+    const auto data = fit_data<Curve>(input.poses, "poses");
+    if constexpr (Order % 2 == 0) {
+      if (o.interpolate) {
+        const Stage stage("interpolating");
+        return interpolate<Curve>(data);
+      }
+    }
+    const Stage stage("fitting with finer and finer knots");
+    const auto goal = tangent<G>(*o.goal_rotation, *o.goal_position);
+    Fit<Curve> fitted = adaptive_fit<Curve>(data, goal, fit_options<Curve>(o));
+    describe_fit(fitted, false, result);
+    return std::move(fitted.spline);
+  });
+  result.curve = AnyTrajectory(curve);
+  describe_curve(curve, input.poses, result);
+  if (imu) result.imu = calibrate(curve, result, *imu);
+  return result;
+}
+
+}  // namespace
+
+template <splinertia::Pose G, int Order>
+FittedTrajectory fit_on_curve(const FitInput& input, const FitChoices& choices, const FitImu* imu) {
+  return choices.adaptive || choices.interpolate ? fit_nonuniform<G, Order>(input, choices, imu)
+                                                 : fit_uniform<G, Order>(input, choices, imu);
+}

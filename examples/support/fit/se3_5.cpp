@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "support/fit/fit_on_curve.hpp"
+
+template FittedTrajectory fit_on_curve<Sophus::SE3d, 5>(const FitInput&, const FitChoices&, const FitImu*);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Spans without poses, along which nothing has measured a curve.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Between the last pose before a hole and the first one behind it. At these two the curve is measured.
+struct Hole {
+  std::chrono::nanoseconds start, end;
+};
+
+/// The hole that a time is in. `holes` ascend and do not overlap.
+[[nodiscard]] std::optional<std::size_t> hole_at(const std::vector<Hole>& holes, std::chrono::nanoseconds time);
+
+/// A line like "79.330 - 79.835 s" for each of the first `most` holes, in seconds from `first`. `what`, if it is not
+/// empty, has a remark for each hole.
+[[nodiscard]] std::vector<std::string> hole_lines(const std::vector<Hole>& holes, std::chrono::nanoseconds first,
+                                                  std::size_t most, const std::vector<std::string>& what = {});
+
+/// gaps.csv: start, end and length of each.
+[[nodiscard]] std::string holes_csv(const std::vector<Hole>& holes);
+
+/// The comment before the readings in a hole: "hole from 4995000000 to 6000000000 ns: no poses, ...".
+[[nodiscard]] std::string hole_comment(const Hole& hole);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Poses of a file, and how far a curve is from them.
+#pragma once
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cstddef>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <string>
+#include <vector>
+
+using Poses = std::vector<splinertia::Stamped<splinertia::SO3xR3<double>>>;
+
+[[nodiscard]] std::chrono::nanoseconds longest_interval(const Poses& poses);
+
+/// How far a curve is from each pose: in position in the world [m], in rotation in the body of the pose [rad].
+struct PoseDistances {
+  std::vector<Eigen::Vector3d> rotation{}, position{};
+};
+
+/// `curve`: its values at the times of the poses.
+[[nodiscard]] PoseDistances distances(const Poses& curve, const Poses& poses);
+
+/// RMS and largest length of vectors.
+struct Lengths {
+  double rms = 0, max = 0;
+};
+/// Of all but some, whose indices ascend.
+[[nodiscard]] Lengths lengths(const std::vector<Eigen::Vector3d>& vectors, const std::vector<std::size_t>& but = {});
+
+/// The outliers, in lines like "79.330 - 79.385 s (12 poses, up to 0.031 m, 0.002 rad)", in seconds from the first
+/// pose. Runs with at most five poses between are one. Of more than `most` the worst are named.
+[[nodiscard]] std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& distances,
+                                                     const std::vector<std::size_t>& outliers, std::size_t most);

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+/// The stamps of a trajectory file: their unit, and which of them are wrong.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <span>
+#include <splinertia/io/number_text.hpp>
+#include <splinertia/io/seconds_text.hpp>
+#include <splinertia/io/trajectory_format.hpp>
+#include <splinertia/message.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace splinertia::detail {
+
+inline constexpr double highest_pose_rate = 20e3, lowest_pose_rate = 0.01;  // Hz; beyond them the unit is doubted
+
+inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::milliseconds, TimeUnit::microseconds,
+                                           TimeUnit::nanoseconds};
+
+[[nodiscard]] inline double seconds_of(TimeUnit unit) { return std::pow(10.0, -static_cast<int>(unit)); }
+
+/// Whether stamps with this typical step, in their unit, are those of poses. Unknown (0) is.
+[[nodiscard]] inline bool is_plausible(double step, TimeUnit unit) {
+  const double interval = step * seconds_of(unit);
+  return step == 0 || (interval >= 1 / highest_pose_rate && interval <= 1 / lowest_pose_rate);
+}
+
+/// "0.005 s, 200 Hz as …": what rate the stamps would have in each unit.
+[[nodiscard]] inline std::string rates_text(double step) {
+  std::string text;
+  for (const TimeUnit unit : all_time_units) {
+    char rate[number_text_size];
+    std::snprintf(rate, sizeof rate, "%.4g", 1 / (step * seconds_of(unit)));
+    text += message(text.empty() ? "" : ", ", rate, " Hz in ", time_unit_name(unit));
+  }
+  return text;
+}
+
+/// What the first stamps of a file look like.
+struct StampSample {
+  double step = 0;        // the median of the positive steps, in their unit; 0 if there is none
+  double middle = 0;      // the median stamp
+  bool decimals = false;  // some have them
+
+  explicit StampSample(std::span<const std::string_view> texts) {
+    std::vector<double> values, steps;
+    for (const std::string_view text : texts) {
+      const Parsed<double> value = parse_real(text);
+      if (value.problem) continue;
+      decimals = decimals || (value.value != std::floor(value.value) || text.find('.') < text.find_first_of("eE"));
+      if (!values.empty() && value.value > values.back()) steps.push_back(value.value - values.back());
+      values.push_back(value.value);
+    }
+    step = median(steps);
+    middle = median(values);
+  }
+
+  /// The unit in which the stamps count from 1970: they have 10, 13, 16 or 19 digits.
+  [[nodiscard]] std::optional<TimeUnit> since_1970() const {
+    for (const TimeUnit unit : all_time_units) {
+      const double count = middle * seconds_of(unit);
+      if (count >= 1e9 && count < 1e10) return unit;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] static double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+};
+
+/// A time in a unit, with the decimals that it has.
+[[nodiscard]] inline std::string stamp_text(std::chrono::nanoseconds time, TimeUnit unit) {
+  std::uint64_t factor = 1;
+  for (int place = static_cast<int>(unit); place < 9; ++place) factor *= 10;
+  const bool negative = time.count() < 0;
+  const std::uint64_t count =
+      negative ? -static_cast<std::uint64_t>(time.count()) : static_cast<std::uint64_t>(time.count());
+  std::string text = (negative ? "-" : "") + std::to_string(count / factor);
+  if (factor > 1 && count % factor != 0) {
+    text += '.' + std::to_string(factor + count % factor).substr(1);
+    while (text.ends_with('0')) text.pop_back();
+  }
+  return text;
+}
+
+/// b − a in ns, for a ≤ b; it may be more than a signed integer holds.
+[[nodiscard]] inline std::uint64_t stamp_distance(std::chrono::nanoseconds a, std::chrono::nanoseconds b) {
+  return static_cast<std::uint64_t>(b.count()) - static_cast<std::uint64_t>(a.count());
+}
+
+/// Indices of the fewest stamps to leave out such that the rest increases. Earlier stamps are kept where either may be.
+[[nodiscard]] inline std::vector<std::size_t> out_of_order(std::span<const std::chrono::nanoseconds> times) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> ends, before(times.size(), none);  // of the best increasing choice of each length
+  std::size_t kept = none;                                    // the first end of the longest
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto place =
+        std::partition_point(ends.begin(), ends.end(), [&](std::size_t k) { return times[k] < times[i]; });
+    if (place != ends.end() && times[*place] == times[i]) continue;
+    if (place != ends.begin()) before[i] = *(place - 1);
+    if (place == ends.end()) {
+      ends.push_back(i);
+      kept = i;
+    } else {
+      *place = i;
+    }
+  }
+  std::vector<std::size_t> left_out;
+  for (std::size_t i = times.size(); i-- > 0;) {
+    if (i == kept) {
+      kept = before[i];
+    } else {
+      left_out.push_back(i);
+    }
+  }
+  return {left_out.rbegin(), left_out.rend()};
+}
+
+/// How many stamps at the beginning and at the end of an increasing list are absurdly far from the rest: at most a
+/// hundredth of them (one in a short list) that a step of more than a minute, and of more than a thousand times the
+/// span of the rest, parts from it. Clocks that are not yet set write such stamps.
+struct FarStamps {
+  std::size_t first = 0, last = 0;
+
+  explicit FarStamps(std::span<const std::chrono::nanoseconds> times) {
+    const std::size_t n = times.size(), side = std::max<std::size_t>(1, n / 100);
+    if (n < 5) return;
+    const double span = static_cast<double>(stamp_distance(times[side], times[n - 1 - side]));
+    const double limit = std::max(60e9, 1000 * span);
+    for (std::size_t i = 0; i < side; ++i) {
+      if (static_cast<double>(stamp_distance(times[i], times[i + 1])) > limit) first = i + 1;
+      if (static_cast<double>(stamp_distance(times[n - 2 - i], times[n - 1 - i])) > limit) last = i + 1;
+    }
+  }
+};
+
+}  // namespace splinertia::detail
