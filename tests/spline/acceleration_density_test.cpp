@@ -163,6 +163,27 @@ TEST_CASE("Too few anchors show nothing") {
   CHECK_THAT((*velocity.around({{1}, {3}}))[0], WithinRel(2, 1e-12));  // 1² · 2 s
 }
 
+TEST_CASE("At the scale of near anchors, with the acceleration that crosses the span") {
+  const Anchors near{{3.9, 3.8, 3.7, 3.6}, {6.1, 6.2, 6.3, 6.4}};
+  const auto density = [&](const auto& f, double noise = 0) {
+    return (
+        *AccelerationDensity<Line>(Line{[&](double t) { return Number(f(t)); }}, Number(noise)).at_scale_of(near))[0];
+  };
+  CHECK(density([](double t) { return 3 - 2 * t; }) < 1e-20);
+  // Steady a: 3/2 a² h on the sides; the slopes are those of the middles of their steps, 0.05 s off over 2.2 s.
+  CHECK_THAT(density([](double t) { return 2 * t * t; }), WithinRel(1.5 * 16 * 0.1, 0.15));
+  // A step of 1 between two rests: 6/2.2² at both ends.
+  CHECK_THAT(density([](double t) { return t > 5 ? 1. : 0.; }), WithinRel(0.15 * std::pow(6 / (2.2 * 2.2), 2), 1e-9));
+  // What noise could hide: σ² (1 + 1 + 4)/h² · 3/(2 h).
+  CHECK_THAT(density([](double) { return 0.; }, 0.01), WithinRel(9e-4 / 1e-3, 1e-9));
+  const Line line{[](double t) { return Number(t); }};
+  AccelerationDensity<Line> few(line, Number(0));
+  CHECK_FALSE(few.at_scale_of({{3.9, 3.8}, {6.1, 6.2, 6.3}}));
+  CHECK_FALSE(few.at_scale_of({{3.9, 3.8, 3.7}, {}}));
+  const Polygon polygon{[](double t) { return Number(t); }};
+  CHECK_FALSE(AccelerationDensity<Polygon>(polygon, Number(0)).at_scale_of(near));
+}
+
 TEST_CASE("Anchors keep a guard from the span and go on through other measured parts") {
   const auto is = [](const std::vector<double>& got, const std::vector<double>& expected) {
     INFO(Catch::Detail::stringify(got));

@@ -94,9 +94,14 @@ TEST_CASE("The prior over a span costs the square of the acceleration over the d
   REQUIRE(terms.terms.size() == 1);
   Nowhere nowhere;
   const auto parts = measured_parts(curve, spans);
-  const double density = (*AccelerationDensity<Line>(curve, Number(noise * std::sqrt(0.25)))
-                               .around({anchors_beside(parts, 0, -1, 2, 0.1), anchors_beside(parts, 1, 1, 2, 0.1)}))[0];
-  CHECK(density > a * a);  // at least a² τ · 3/2, with steps of τ = 1.95 s
+  const auto anchors = [&](double step) {
+    return Anchors{anchors_beside(parts, 0, -1, step, 0.1), anchors_beside(parts, 1, 1, step, 0.1)};
+  };
+  AccelerationDensity<Line> beside(curve, Number(noise * std::sqrt(0.25)));
+  const double of_span = (*beside.around(anchors(2)))[0], of_knots = (*beside.at_scale_of(anchors(0.1)))[0];
+  CHECK(of_span > 2 * a * a);
+  CHECK_THAT(of_knots, WithinRel(0.15 * a * a, 0.15));  // 3/2 a² h, and σ_v of the slopes in a
+  const double density = std::min(of_span, of_knots);
   const double in_units = noise * noise / (unit * unit);
   CHECK_THAT(terms.add(curve, nowhere), WithinRel(2 * a * a / density * in_units, 1e-9));
 

@@ -77,6 +77,23 @@ class AccelerationDensity {
     return largest_.cwiseMax(noise_);
   }
 
+  /// The same at the time scale of `near`, which are anchors nearer together than the span is long: the largest S of
+  /// both sides, and that of the acceleration which the cubic across the span has at its ends. Motion that is smooth
+  /// within the span changes its slope by less at shorter times than a second derivative of white noise would. None if
+  /// there is no change of slope on either side.
+  [[nodiscard]] std::optional<Tangent<G>> at_scale_of(const Anchors& near) {
+    if (!changes_of_slope || near.before.size() < times || near.behind.size() < times) return std::nullopt;
+    start();
+    add_side(near.before);
+    add_side(near.behind);
+    const double l1 = near.before[1], l0 = near.before[0], r0 = near.behind[0], r1 = near.behind[1];
+    const Tangent<G> in = slope(l1, l0), across = slope(l0, r0), out = slope(r0, r1);
+    const auto length = static_cast<Scalar>(r0 - l0), step = static_cast<Scalar>(std::max(l0 - l1, r1 - r0));
+    const Tangent<G> first = (6 * across - 4 * in - 2 * out) / length, last = (2 * in + 4 * out - 6 * across) / length;
+    largest_ = largest_.cwiseMax(Scalar(3) / 2 * step * first.cwiseAbs2().cwiseMax(last.cwiseAbs2())).eval();
+    return largest_.cwiseMax(noise_);
+  }
+
  private:
   static constexpr bool changes_of_slope = Curve::order > 2;
   static constexpr std::size_t times = changes_of_slope ? 3 : 2;
@@ -92,23 +109,24 @@ class AccelerationDensity {
     return curve_.template evaluate<0>(t).value;
   }
 
+  [[nodiscard]] Tangent<G> slope(double from, double to) const {
+    return increment<G>(value(from), value(to)) / static_cast<Scalar>(to - from);
+  }
+
   /// S of one change of slope, less what noise explains of it, and that.
   struct Change {
     Tangent<G> density, noise;
   };
   [[nodiscard]] Change change(const std::array<double, times>& t) const {
-    const auto slope = [&](std::size_t i) {
-      return Tangent<G>(increment<G>(value(t[i]), value(t[i + 1])) / static_cast<Scalar>(t[i + 1] - t[i]));
-    };
     const Scalar first = Scalar(1) / static_cast<Scalar>(t[1] - t[0]);
     if constexpr (changes_of_slope) {
       const Scalar second = Scalar(1) / static_cast<Scalar>(t[2] - t[1]), both = first + second;
       const Scalar to_density = Scalar(3) / static_cast<Scalar>(t[2] - t[0]);
       const Tangent<G> noise = variance_ * (to_density * (first * first + second * second + both * both));
-      return {Tangent<G>(slope(1) - slope(0)).cwiseAbs2() * to_density - noise, noise};
+      return {Tangent<G>(slope(t[1], t[2]) - slope(t[0], t[1])).cwiseAbs2() * to_density - noise, noise};
     } else {
       const Tangent<G> noise = variance_ * (2 * first);
-      return {slope(0).cwiseAbs2() / first - noise, noise};
+      return {slope(t[0], t[1]).cwiseAbs2() / first - noise, noise};
     }
   }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <splinertia/spline/acceleration_density.hpp>
 #include <splinertia/spline/smoothness.hpp>
 #include <splinertia/spline/unmeasured_spans.hpp>
@@ -65,14 +66,19 @@ class GapBridges {
     return sqrt(value);
   }
 
-  /// Span i: as the motion on both sides has it.
+  /// Span i: as the motion on both sides has it, at the scale of the span or of the knots, whichever holds more.
   void bridge(std::size_t i) {
     const auto& span = spans_[i];
     const double length = seconds<double>(span.end - span.start);
     const auto before = static_cast<std::ptrdiff_t>(i);
-    hold({anchors_beside(parts_, before, -1, length, span.knot_interval),
-          anchors_beside(parts_, before + 1, 1, length, span.knot_interval)},
-         span.start, span.end, span.knot_interval, true);
+    const auto anchors = [&](double step) {
+      return Anchors{anchors_beside(parts_, before, -1, step, span.knot_interval),
+                     anchors_beside(parts_, before + 1, 1, step, span.knot_interval)};
+    };
+    auto density = density_.around(anchors(length));
+    const auto near = density_.at_scale_of(anchors(span.knot_interval));
+    if (density && near) density = density->cwiseMin(*near).eval();
+    hold(density, span.start, span.end, span.knot_interval, true);
   }
 
   /// The outermost Order − 2 segments, where a single pose bends the curve as it likes: accelerations up to three times
@@ -97,17 +103,18 @@ class GapBridges {
     }
     if (inner.empty() || !(knot_interval > 0)) return;
     const std::ptrdiff_t first = direction > 0 ? 0 : std::ssize(inner) - 1;
-    hold({anchors_beside(inner, first, direction, knot_interval, knot_interval), {}}, from, to, knot_interval, false);
+    const Anchors anchors{anchors_beside(inner, first, direction, knot_interval, knot_interval), {}};
+    hold(density_.around(anchors), from, to, knot_interval, false);
   }
 
   /// Adds the prior over [from, to] where other measurements are further apart than 1.5 knot intervals: as it is where
   /// it is needed, and three times as wide where poses hold the curve, too.
-  void hold(const Anchors& anchors, Time from, Time to, double knot_interval, bool needed) {
+  void hold(const std::optional<Tangent<G>>& found, Time from, Time to, double knot_interval, bool needed) {
     const Scalar amplitude = needed ? Scalar(1) : Scalar(3);
     const auto length = seconds<Scalar>(to - from);
     // Where nothing is beside the span: a motion within it that the noise could hide.
     const Scalar unseen = derivative == 2 ? 9 / (length * length * length) : 4 / length;
-    const Tangent<G> density = density_.around(anchors).value_or(unseen * noise_.cwiseAbs2());
+    const Tangent<G> density = found.value_or(unseen * noise_.cwiseAbs2());
     Tangent<G> root = amplitude * density.cwiseSqrt().cwiseQuotient(noise_);
     if (needed) {
       // Beside a pose the prior weighs at least as the root of the rounding, or the equations would be singular.
