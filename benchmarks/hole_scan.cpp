@@ -78,6 +78,9 @@ Place in_the_hand(double t) {
       {0.25 * std::sin(2.1 * t) + 0.04 * std::sin(6.3 * t), 0.20 * std::cos(1.7 * t), 1.2 + 0.08 * std::sin(4.4 * t)}};
 }
 
+/// 13 m/s².
+Place on_a_circle(double t) { return {{0, 0, 0.8 * std::sin(2 * t)}, {std::cos(3.6 * t), std::sin(3.6 * t), 1}}; }
+
 /// Poses with white noise; those inside the hole are drawn and left out.
 template <Pose G>
 std::vector<Stamped<G, double>> poses_of(Place (*motion)(double), double rate, double end, const Hole& hole) {
@@ -214,13 +217,14 @@ double change_outside(const auto& a, const auto& b, const Hole& hole, double kno
 }
 
 template <Pose G, int Order>
-void hand(const Setting& s, const std::vector<Hole>& holes, const Options& options, Report& report) {
+void moving(const std::string& name, Place (*motion)(double), const Setting& s, const std::vector<Hole>& holes,
+            const Options& options, Report& report) {
   Worst force, rate, change;
   std::size_t not_converged = 0;
   for (const Hole& hole : holes) {
     const double end = motion_time + hole.length;
-    const auto with = fitted<G, Order>(s, poses_of<G>(in_the_hand, s.rate, end, hole));
-    const auto without = fitted<G, Order>(s, poses_of<G>(in_the_hand, s.rate, end, {hole.start, 0, hole.seed}));
+    const auto with = fitted<G, Order>(s, poses_of<G>(motion, s.rate, end, hole));
+    const auto without = fitted<G, Order>(s, poses_of<G>(motion, s.rate, end, {hole.start, 0, hole.seed}));
     Largest inside, outside;
     inside.take(with.spline, hole.start, hole.start + hole.length);
     outside.take(with.spline, 0, hole.start);
@@ -240,7 +244,7 @@ void hand(const Setting& s, const std::vector<Hole>& holes, const Options& optio
           without.iterations, with.gaps.size(), knot_interval, s.knot_interval ? 0. : without.knot_choice->interval);
     }
   }
-  report.line("hand", s, holes.size(), not_converged,
+  report.line(name, s, holes.size(), not_converged,
               {{"force_ratio", force, most_ratio, "1"},
                {"rate_ratio", rate, most_ratio, "1"},
                {"change", change, most_change, "sigma"}});
@@ -252,7 +256,7 @@ void scan(const std::string& group, const Options& options, Report& report) {
   const auto rates = options.all ? std::vector<double>{120, 200, 500} : std::vector<double>{120, 200};
   const auto lengths = options.all ? std::vector<double>{0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 1, 2, 5}
                                    : std::vector<double>{0.07, 0.15, 0.3, 1};
-  const int phases = options.all ? 6 : 3;
+  const int phases = options.all ? 6 : 2;
   const std::array<std::pair<const char*, RobustLoss>, 3> losses{
       {{"squares", RobustLoss::squares()}, {"huber", RobustLoss::huber()}, {"cauchy", RobustLoss::cauchy()}}};
   for (const auto& [name, loss] : losses) {
@@ -260,7 +264,8 @@ void scan(const std::string& group, const Options& options, Report& report) {
       for (const std::optional<double> interval : {std::optional<double>(0.05), std::optional<double>()}) {
         const Setting s{group, Order, name, loss, rate, interval};
         rest<G, Order>(s, holes_of(s, lengths, phases), options, report);
-        hand<G, Order>(s, holes_of(s, {0.5}, phases), options, report);
+        moving<G, Order>("hand", in_the_hand, s, holes_of(s, {0.5}, phases), options, report);
+        moving<G, Order>("circle", on_a_circle, s, holes_of(s, {0.5}, phases), options, report);
       }
     }
   }

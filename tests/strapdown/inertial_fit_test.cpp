@@ -298,6 +298,77 @@ TEST_CASE("With the IMU, accelerations are far better, and it bridges gaps betwe
             .maxCoeff() < 4);
 }
 
+TEST_CASE("Along a fitted curve, samples inside its gaps do not count") {
+  using G = SO3xR3<double>;
+  // Of a curve through poses alone, the error of the readings is that of the curve: known and the same for all samples
+  // outside of the gap. What is estimated are biases and gravity, which the invented motion inside the gap would turn.
+  auto options = imu_options();
+  options.estimate_lever_arm = options.estimate_time_offset = false;
+  options.calibration = testing::some_imu();
+  options.accel_standard_deviation =
+      1.5;  // with 0.1 s from knot to knot, noise of poses leaves about that in the force
+  options.gyro_standard_deviation = 0.05;
+  double largest = 0, worst_with_gap = 0, squares = 0;
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Run<G> run(seed);
+    std::erase_if(run.poses, [](const auto& pose) { return pose.time > 1.5 && pose.time < 2.6; });
+    const auto fitted = fit<Curve<G>>(run.poses, {.knot_interval = 0.1, .standard_deviation = pose_deviation<G>()});
+    REQUIRE(fitted.gaps.size() == 1);
+    const auto imu = calibrate_imu(fitted, run.samples, options);
+    CHECK(imu.converged);
+    std::size_t outside = 0;
+    for (const auto& sample : run.samples) {
+      const double t = sample.time + options.calibration.time_offset;
+      outside += t >= 0 && t <= 4 && (t <= fitted.gaps[0].start || t >= fitted.gaps[0].end) ? 1 : 0;
+    }
+    CHECK(imu.samples == outside);
+    const auto normalised = [&](const CalibratedImu<double>& found) {
+      return Eigen::Matrix<double, 8, 1>(
+          difference(found.calibration, testing::some_imu()).cwiseQuotient(deviation(found)).head<8>());
+    };
+    const Eigen::Matrix<double, 8, 1> n = normalised(imu);
+    largest = std::max(largest, n.cwiseAbs().maxCoeff());
+    squares += n.squaredNorm();
+    count += 8;
+    worst_with_gap =
+        std::max(worst_with_gap, normalised(calibrate_imu(fitted.spline, run.samples, options)).cwiseAbs().maxCoeff());
+  }
+  INFO("up to " << largest << " sigma, RMS " << std::sqrt(squares / count) << "; with the gap up to "
+                << worst_with_gap);
+  CHECK(largest < 4);
+  CHECK(std::sqrt(squares / count) < 1.3);
+  CHECK(worst_with_gap > 2 * largest);
+}
+
+TEST_CASE("Where only the IMU measures a hole, the errors are as large as it says, and the curve follows the truth") {
+  using G = SO3xR3<double>;
+  for (const double hole : {0.3, 1., 2.}) {
+    Normalised normalised;
+    double position_off = 0, rotation_off = 0;
+    for (std::uint64_t seed = 0; seed < 16; ++seed) {
+      Run<G> run(100 + seed);
+      const double from = 1 + 0.003 * static_cast<double>(seed);
+      std::erase_if(run.poses, [&](const auto& pose) { return pose.time > from && pose.time < from + hole; });
+      const auto fit = inertial_fit<Curve<G>>(run.poses, run.samples, pose_options<Curve<G>>(), imu_options());
+      CHECK(fit.converged);
+      CHECK(fit.gaps.size() == 1);
+      normalised.add(fit.imu);
+      for (double t = from; t <= from + hole; t += 0.02) {
+        const auto got = fit.spline.evaluate<0>(t).value, expected = motion.evaluate<0>(t).value;
+        position_off = std::max(position_off, (position(got) - position(expected)).norm());
+        rotation_off = std::max(rotation_off, (rotation(got).inverse() * rotation(expected)).log().norm());
+      }
+    }
+    INFO("hole of " << hole << " s: off by " << position_off << " m and " << rotation_off << " rad");
+    normalised.check();
+    // Integrated white noise of 0.1 m/s² at 100 Hz, held at both ends: σ = 0.01 √(T³/192) m, and the ends' 2 mm; the
+    // gyro's 0.001 √(T/4) rad and 1 mrad. Four times that, of three axes.
+    CHECK(position_off < 4 * 1.8 * (0.002 + 0.01 * std::sqrt(hole * hole * hole / 192)));
+    CHECK(rotation_off < 4 * 1.8 * (0.001 + 0.001 * std::sqrt(hole / 4)));
+  }
+}
+
 TEST_CASE("Outliers among the poses disturb neither curve nor calibration") {
   using G = SO3xR3<double>;
   Run<G> run(6);
