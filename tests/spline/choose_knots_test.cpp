@@ -105,7 +105,7 @@ TEST_CASE("Jumps do not make the interval shorter where the loss is robust") {
     CHECK(with > without / 1.2);
     CHECK(with < without * 1.2);
   }
-  CHECK(coarsest_knot_interval<Curve>(poses, goal) < without / 4);  // with squares they do
+  CHECK(coarsest_knot_interval<Curve>(poses, goal_of(0.015)) < without / 4);  // with squares they do
 }
 
 TEST_CASE("A goal that cannot be reached, or is none, is an error") {
