@@ -136,18 +136,20 @@ inline FittedImu describe_imu(const CalibratedImu<double>& calibrated, const Ine
   return imu;
 }
 
-/// Of samples whose noise is not known it is what they leave.
+/// Samples inside holes do not count. Of samples whose noise is not known it is what they leave.
 template <typename Curve>
 FittedImu calibrate(const Curve& curve, const FittedTrajectory& fitted, const FitImu& imu) {
   const Stage stage("calibrating the IMU");
   InertialOptions<double> options = inertial_options(imu);
+  std::vector<FitGap<nanoseconds>> gaps;
+  for (const Hole& hole : fitted.holes) gaps.push_back({hole.start, hole.end});
   return about(imu.file, "", [&] {
     if (!imu.gyro_deviation) {
-      const CalibratedImu<double> first = calibrate_imu(curve, imu.samples, options);
+      const CalibratedImu<double> first = calibrate_imu(curve, imu.samples, options, gaps);
       options.gyro_standard_deviation = std::max(first.gyro_rms, 1e-12);
       options.accel_standard_deviation = std::max(first.accel_rms, 1e-12);
     }
-    return describe_imu(calibrate_imu(curve, imu.samples, options), options, fitted, imu.samples);
+    return describe_imu(calibrate_imu(curve, imu.samples, options, gaps), options, fitted, imu.samples);
   });
 }
 

@@ -138,9 +138,9 @@ struct SplineErrors {
 };
 
 /// How far apart the knots of a curve should be for its rate to be right: the longest interval h of which the error is
-/// below the noise, on average over the components of one unit. The cubic through poses at ±h and ±2h is off by h⁴
-/// |x⁗|/6, which gives the errors of the spline; the noise of its velocity is about 1.5 σ/(h √N), with N poses to a
-/// knot. Requires two poses in ascending order of time.
+/// below the noise, in each component; the noise is that of all components of a unit. The cubic through poses at ±h and
+/// ±2h is off by h⁴ |x⁗|/6, which gives the errors of the spline; the noise of its velocity is about 1.5 σ/(h √N), with
+/// N poses to a knot. Requires two poses in ascending order of time.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = seconds<double>(poses.back().time - poses.front().time);
@@ -149,19 +149,19 @@ template <LieGroup G, TimePoint Time>
     const double poses_to_a_knot = h / choice.pose_interval;
     bool all = true;
     TangentUnits<G>::for_each([&](int first, int rows) {
-      const auto mean = [&](const Tangent<G>& squares) {
-        return static_cast<double>(squares.segment(first, rows).mean());
-      };
-      const double noise = mean(choice.noise.cwiseAbs2());
-      // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
-      const auto without_noise = [&](double square, double share) {
-        return std::sqrt(std::max(0., square - share * noise));
-      };
-      const double second = without_noise(std::pow(h, 4) * mean(motion.acceleration_square), 6);
-      const double fourth = 6 * without_noise(mean(motion.residual_square), 35. / 18);
-      const SplineErrors error(order, second, fourth);
-      const bool lost_in_noise = error.first <= 1.5 * std::sqrt(noise / poses_to_a_knot);
-      all = all && (lost_in_noise || error.second <= 5e-4 * second);
+      const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
+      const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
+      for (int row = first; row < first + rows; ++row) {
+        // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
+        const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
+        const auto without_noise = [&](double square, double share) {
+          return std::sqrt(std::max(0., square - share * own_noise));
+        };
+        const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
+        const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
+        const SplineErrors error(order, second, fourth);
+        all = all && (error.first <= noise_of_first || error.second <= 5e-4 * second);
+      }
     });
     return all;
   };

@@ -7,21 +7,24 @@
 #include <limits>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/spline/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
 
 namespace splinertia::detail {
 
-/// By how much the step from pose i to the next differs from what the step from pose `beside` on lets expect. A step
-/// across a hole may be as much larger as an acceleration makes it over that time.
+/// By how much the step from pose i to the next differs from what the step from pose `beside` on lets expect. Steps of
+/// unequal lengths may differ by as much more as an acceleration over both makes of it, beside two of the length
+/// `usual` (s): in key frames, a short step stands beside a long pause.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] Tangent<G> unexpected_step(const std::vector<Stamped<G, Time>>& poses, std::size_t i,
-                                         std::size_t beside) {
+[[nodiscard]] Tangent<G> unexpected_step(const std::vector<Stamped<G, Time>>& poses, std::size_t i, std::size_t beside,
+                                         double usual) {
   using Scalar = ScalarOf<G>;
   const auto step = [&](std::size_t k) { return increment<G>(poses[k].value, poses[k + 1].value); };
   const auto length = [&](std::size_t k) { return seconds<Scalar>(poses[k + 1].time - poses[k].time); };
-  const Scalar ratio = length(i) / length(beside);
-  return (step(i) - ratio * step(beside)).cwiseAbs() / std::max(Scalar(1), ratio * ratio);
+  const Scalar own = length(i), other = length(beside), square = static_cast<Scalar>(usual * usual);
+  const Scalar allowance = own * (own + other) / (2 * square);
+  return (step(i) - own / other * step(beside)).cwiseAbs() / std::max(Scalar(1), allowance);
 }
 
 /// The medians of 17 neighbours of each, at the ends of the nearest 17; at least that of all.
@@ -57,15 +60,17 @@ template <LieGroup G, TimePoint Time>
   std::vector<std::size_t> breaks;
   if (poses.size() < 8) return breaks;
   const std::size_t steps = poses.size() - 1;
+  const double interval = median_interval(poses);
   std::vector<Tangent<G>> unexpected(steps - 1);
-  for (std::size_t i = 0; i + 1 < steps; ++i) unexpected[i] = unexpected_step(poses, i, i + 1);
+  for (std::size_t i = 0; i + 1 < steps; ++i) unexpected[i] = unexpected_step(poses, i, i + 1, interval);
   const std::vector<Tangent<G>> usual = usual_beside(unexpected);
   const auto size = [](const G& pose) { return GroupTraits<G>::log(pose).cwiseAbs().maxCoeff(); };
   const Scalar rounding =
       64 * std::numeric_limits<Scalar>::epsilon() * (1 + size(poses.front().value) + size(poses.back().value));
   for (std::size_t i = 0; i < steps; ++i) {
     const std::size_t before = i > 0 ? i - 1 : i + 1, behind = i + 1 < steps ? i + 1 : i - 1;
-    const Tangent<G> least = unexpected_step(poses, i, before).cwiseMin(unexpected_step(poses, i, behind));
+    const Tangent<G> least =
+        unexpected_step(poses, i, before, interval).cwiseMin(unexpected_step(poses, i, behind, interval));
     const Tangent<G> limit = (10 * usual[std::min(i, steps - 2)]).cwiseMax(rounding);
     if ((least.array() > limit.array()).any()) breaks.push_back(i);
   }
