@@ -65,7 +65,8 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
     integrator.finish();
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(message(o.imu.string(), ": in the window of ", row.window, " s that begins at ",
-                                     samples[first].time.count(), ": ", error.what()));
+                                     samples[first].time.count(), ": ", error.what(),
+                                     " (--longest-gap, --bridge-gaps; simulate_imu leaves samples inside holes out)"));
   }
   const State& reckoned = integrator.state();
   row.gaps += integrator.gaps();
@@ -169,7 +170,7 @@ void run(const Options& o) {
   std::fputs(truth.notes.c_str(), stdout);
   std::printf("%s: %zu samples over %g s\n%s: %zu %s over %g s\n", o.imu.string().c_str(), samples.size(),
               seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
-              truth.rows.size(), truth.with_velocities ? "states" : "poses between others",
+              truth.rows.size(), truth.with_velocities ? "states" : "poses with neighbours to take a velocity from,",
               seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
   std::vector<Row> rows;
   for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(in, window, o));

@@ -99,7 +99,6 @@ std::string outliers_text(const FitInput& input, const FittedTrajectory& fitted,
 }
 
 std::string holes_text(const FitInput& input, const FittedTrajectory& fitted, const FitChoices& o, bool with_imu) {
-  if (o.interpolate) return "";
   const std::size_t count = fitted.holes.size();
   std::string text = count == 0 ? "holes: none\n" : "";
   if (with_imu) text = "holes: none, the IMU measures the curve where there are no poses\n";
@@ -126,7 +125,8 @@ std::string condition_warning(double condition) {
 }
 
 /// The longest way without poses that is no hole, where it is long for the curve.
-std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted) {
+std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted, bool with_imu) {
+  if (with_imu) return "";
   const nanoseconds limit = fitted.interval ? 2 * *fitted.interval : after(nanoseconds(0), 10 * median_interval(poses));
   std::size_t longest = 1;
   for (std::size_t i = 2; i < poses.size(); ++i) {
@@ -153,7 +153,7 @@ std::string tried_warning(const FittedTrajectory& fitted) {
 
 /// What to be careful about, a line each; empty ones are none.
 std::vector<std::string> warnings(const FitInput& input, const FittedTrajectory& fitted, const FitChoices& o,
-                                  const Extremes& found) {
+                                  bool with_imu, const Extremes& found) {
   std::vector<std::string> lines{not_converged(fitted, o), condition_warning(fitted.condition)};
   const double share = static_cast<double>(fitted.outliers.size()) / static_cast<double>(input.poses.size());
   if (share > 0.02 && fitted.outliers.size() > 5) {
@@ -162,7 +162,7 @@ std::vector<std::string> warnings(const FitInput& input, const FittedTrajectory&
                   "apart for parts of the motion",
                   100 * share));
   }
-  lines.push_back(sparse_warning(input.poses, fitted));
+  lines.push_back(sparse_warning(input.poses, fitted, with_imu));
   lines.push_back(tried_warning(fitted));
   for (std::string& line : extremes_warnings(found, fitted)) lines.push_back(std::move(line));
   return lines;
@@ -188,7 +188,7 @@ std::string fit_report(const FitInput& input, const FittedTrajectory& fitted, co
   text += extremes_text(found, first);
   text += '\n' + outliers_text(input, fitted, o) + holes_text(input, fitted, o, imu && imu->fit_together);
   if (fitted.imu) text += imu_report(*fitted.imu, *imu);
-  for (const std::string& warning : warnings(input, fitted, o, found)) {
+  for (const std::string& warning : warnings(input, fitted, o, imu && imu->fit_together, found)) {
     if (!warning.empty()) text += "\nwarning: " + warning + '\n';
   }
   return text;

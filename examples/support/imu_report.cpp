@@ -19,9 +19,9 @@ std::string estimate(double value, double deviation) {
 
 std::string imu_report(const FittedImu& fitted, const FitImu& imu) {
   const auto& [calibration, deviation, gyro_rms, accel_rms, inside, iterations, converged] = fitted.calibrated;
-  std::string text =
-      formatted("\nIMU %s: %zu of %zu samples within the curve, %s\n", imu.file.string().c_str(), inside,
-                imu.samples.size(), imu.fit_together ? "fitted together with the poses" : "held against the curve");
+  std::string text = formatted("\nIMU %s: %zu of %zu samples within the curve and outside holes, %s\n",
+                               imu.file.string().c_str(), inside, imu.samples.size(),
+                               imu.fit_together ? "fitted together with the poses" : "held against the curve");
   const auto row = [&](const char* name, const Eigen::Vector3d& value, const Eigen::Vector3d& sigma, const char* unit) {
     text += formatted("  %-19s", name);
     for (int i = 0; i < 3; ++i) text += estimate(value[i], sigma[i]);
@@ -43,6 +43,12 @@ std::string imu_report(const FittedImu& fitted, const FitImu& imu) {
   text +=
       formatted("  +- one sigma, with white noise of %.4g rad/s and %.4g m/s^2 in a sample, as %s\n",
                 fitted.gyro_deviation, fitted.accel_deviation, imu.gyro_deviation ? "given" : "the residuals have it");
+  if (!imu.fit_together) text += "  the curve's own error is not white, and not in it: see --fit-imu\n";
+  if (imu.fit_together && (gyro_rms > 2 * fitted.gyro_deviation || accel_rms > 2 * fitted.accel_deviation)) {
+    text +=
+        "  warning: the residuals are more than twice the deviations given: the knots are too far apart for the IMU "
+        "(--knot-interval), or the deviations too small\n";
+  }
   if (!converged) text += formatted("  NOT CONVERGED after %d linear systems\n", iterations);
   return text;
 }

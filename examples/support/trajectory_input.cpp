@@ -16,8 +16,8 @@ namespace {
 
 /// Sets a value by its name; only the names are shown.
 template <typename Value, typename Target>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, const std::map<std::string, Value>& choices,
-                        const std::string& text) {
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
+                        const std::map<std::string, Value>& choices, const std::string& text) {
   return app
       .add_option_function<std::string>(
           name, [&target, choices](const std::string& chosen) { target = choices.at(chosen); }, text)
@@ -69,12 +69,12 @@ void add_trajectory_options(CLI::App& app, TrajectoryInput& input, CLI::Option* 
                           "its format; default: auto, by the names of its columns, their number, and the stamps");
   auto* columns = app.add_option(begin + "columns", format.columns,
                                  "what its columns hold instead, such as t,x,y,z,qx,qy,qz,qw; - is passed over");
-  auto* order =
-      add_choice(app, begin + "quaternion-order", format.quaternion_order, orders, "of its quaternions: w first or last");
+  auto* order = add_choice(app, begin + "quaternion-order", format.quaternion_order, orders,
+                           "of its quaternions: w first or last");
   auto* unit = add_choice(app, begin + "time-unit", format.time_unit, units, "of its stamps");
   auto* rate = app.add_option(begin + "pose-rate", format.rate, "poses a second [Hz], if it has no stamps");
-  auto* times =
-      app.add_option(begin + "times", format.times, "file of the stamps, one a line, if it has none (KITTI's times.txt)");
+  auto* times = app.add_option(begin + "times", format.times,
+                               "file of the stamps, one a line, if it has none (KITTI's times.txt)");
   auto* skip = app.add_flag(
       begin + "skip-bad-rows", format.skip_bad_rows,
       "leave out and count rows that are malformed, with NaN, or with wrong stamps, instead of refusing them");

@@ -67,7 +67,7 @@ foreach(scheme_and_bounds IN ITEMS "euler 1e-2 2e-2" "zero-order-hold 1e-2 2e-2"
 endforeach()
 
 # Poses alone are truth, too: their velocities are as good as they are dense, and the two at the ends have none.
-reckon("poses.tum: 3999 poses between others over 19.99 s\nmidpoint, velocities from its poses, biases not removed\n" "${out}/ideal/imu.csv" "${out}/ideal/poses.tum" --windows 1)
+reckon("poses.tum: 3999 poses with neighbours to take a velocity from, over 19.99 s\nmidpoint, velocities from its poses, biases not removed\n" "${out}/ideal/imu.csv" "${out}/ideal/poses.tum" --windows 1)
 expect(runs EQUAL 19 AND skipped EQUAL 1 AND position_max LESS 2e-4)
 # Every seventh state, 35 ms apart: the truth in between is interpolated, the velocity linearly, to about 4 mm/s.
 file(STRINGS "${out}/ideal/groundtruth.csv" truth)
@@ -88,7 +88,7 @@ file(WRITE "${out}/sparse.csv" "${sparse}")
 file(WRITE "${out}/poses.csv" "#t [ns],x,y,z,qw,qx,qy,qz\n${poses}")
 reckon("572 states" "${out}/ideal/imu.csv" "${out}/sparse.csv" --windows 1)
 expect(runs EQUAL 19 AND position_max LESS 5e-3)
-reckon("570 poses between others .*velocities from its poses" "${out}/ideal/imu.csv" "${out}/poses.csv" --windows 1)
+reckon("570 poses with neighbours to take a velocity from, .*velocities from its poses" "${out}/ideal/imu.csv" "${out}/poses.csv" --windows 1)
 expect(runs EQUAL 19 AND position_max LESS 1.2e-2)
 run(2 "poses.csv: expected three poses in a row that are at most 0.02 s apart, to have a velocity" "${out}/ideal/imu.csv" "${out}/poses.csv" --longest-gap 0.02)
 

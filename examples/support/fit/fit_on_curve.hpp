@@ -210,6 +210,13 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
     if constexpr (Order % 2 == 0) {
       if (o.interpolate) {
         const Stage stage("interpolating");
+        // As fit() has it, with a knot at every pose.
+        const double longest = 2.5 * median_interval(data);
+        for (std::size_t i = 1; i < data.size(); ++i) {
+          if (seconds<double>(data[i].time - data[i - 1].time) > longest) {
+            result.holes.push_back({data[i - 1].time, data[i].time});
+          }
+        }
         return interpolate<Curve>(data);
       }
     }

@@ -63,7 +63,7 @@ inline constexpr std::array known_trajectory_formats{
                           "t,x,y,z,qw,qx,qy,qz,vx,vy,vz,bgx,bgy,bgz,bax,bay,baz", 8, TimeUnit::nanoseconds},
     KnownTrajectoryFormat{TrajectoryFormat::Kind::kitti, "kitti", "KITTI poses",
                           "r11,r12,r13,x,r21,r22,r23,y,r31,r32,r33,z", 12, std::nullopt,
-                          "KITTI's world is the first camera: y points down, and so does gravity"},
+                          "KITTI's world is the first camera: y points down, so gravity is 0 9.81 0 there (--gravity)"},
     KnownTrajectoryFormat{TrajectoryFormat::Kind::vins, "vins", "VINS odometry", "t,x,y,z,qw,qx,qy,qz,vx,vy,vz", 8,
                           TimeUnit::nanoseconds},
     KnownTrajectoryFormat{TrajectoryFormat::Kind::openvins, "openvins", "OpenVINS states",
@@ -71,6 +71,7 @@ inline constexpr std::array known_trajectory_formats{
     KnownTrajectoryFormat{TrajectoryFormat::Kind::rpg, "rpg", "an rpg trajectory", "t,x,y,z,qx,qy,qz,qw", 8,
                           TimeUnit::nanoseconds},
     KnownTrajectoryFormat{TrajectoryFormat::Kind::tartanair, "tartanair", "TartanAir poses", "x,y,z,qx,qy,qz,qw", 7,
-                          std::nullopt, "TartanAir's world is NED: z points down, and so does gravity"}};
+                          std::nullopt,
+                          "TartanAir's world is NED: z points down, so gravity is 0 0 9.81 there (--gravity)"}};
 
 }  // namespace splinertia

@@ -27,8 +27,8 @@ template <typename Scalar>
 struct InertialOptions {
   /// Of a sample about the curve, rad/s and m/s²: of white noise N at a rate, N √rate. What the curve cannot follow
   /// (vibration between its knots) counts as noise, too.
-  Scalar gyro_standard_deviation;
-  Scalar accel_standard_deviation;
+  Scalar gyro_standard_deviation = Scalar(0);   ///< has to be given
+  Scalar accel_standard_deviation = Scalar(0);  ///< has to be given
   /// Where to start, and what is not estimated keeps.
   ImuCalibration<Scalar> calibration{};
   bool estimate_gyro_bias = true;
