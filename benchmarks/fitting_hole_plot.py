@@ -25,7 +25,7 @@ def main():
 
     plt.rcParams.update({"svg.hashsalt": "splinertia", "font.size": 9, "axes.spines.top": False,
                          "axes.spines.right": False})
-    figure, axes = plt.subplots(1, 3, figsize=(10.5, 3), constrained_layout=True)
+    figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.3), constrained_layout=True)
     for axis in axes:
         axis.axvspan(start, end, color="0.92", label="hole")
         axis.set_xlim(1.1, 2.4)
@@ -36,16 +36,17 @@ def main():
         for way in which:
             axis.plot(t, 1e3 * data[f"{way}_m"], color=looks[way][1], label=looks[way][0])
         axis.set_ylabel("x [mm]")
-    axes[1].set_title("the same, larger", fontsize=9)
-    axes[0].set_title("position of a body at rest", fontsize=9)
+    axes[1].set_title("The same, 500 times larger", fontsize=9)
+    axes[0].set_title("Position of a body at rest", fontsize=9)
     for way, (name, colour) in looks.items():
         axes[2].semilogy(t, data[f"{way}_force"], color=colour, label=name)
     axes[2].axhline(9.80665, color="0.4", linewidth=0.8, linestyle=":", label="at rest")
     axes[2].set_ylim(1.5, 4000)
     axes[2].set_ylabel("specific force [m/s²]")
-    axes[2].set_title("what an accelerometer would read", fontsize=9)
-    for axis, place in zip(axes, ("lower left", "lower left", "upper right")):
-        axis.legend(fontsize=7, framealpha=0.9, edgecolor="none", loc=place)
+    axes[2].set_title("What an accelerometer would read", fontsize=9)
+    named = dict(zip(*reversed(axes[0].get_legend_handles_labels())))
+    named.update(zip(*reversed(axes[2].get_legend_handles_labels())))
+    figure.legend(named.values(), named.keys(), loc="outside upper center", ncols=len(named), frameon=False, fontsize=8)
     figure.savefig(arguments.output, metadata={"Date": None} if arguments.output.endswith("svg") else None)
 
 
