@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/group/tangent_units.hpp>
@@ -100,13 +101,14 @@ struct KnotChoice {
 };
 
 /// The longest interval that poses turn by less than 120° in, s; infinity if they do not turn. A single jump does not
-/// count.
+/// count, nor does what noise makes: three times the length of the standard deviation of a rotation, `noise`, rad.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] double longest_unambiguous_interval(const std::vector<Stamped<G, Time>>& poses) {
+[[nodiscard]] double longest_unambiguous_interval(const std::vector<Stamped<G, Time>>& poses, double noise = 0) {
   std::vector<double> rate;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto turn = TurnAngle<G>::of(increment<G>(poses[i - 1].value, poses[i].value));
-    rate.push_back(static_cast<double>(turn) / seconds<double>(poses[i].time - poses[i - 1].time));
+    const double length = seconds<double>(poses[i].time - poses[i - 1].time);
+    rate.push_back(std::max(0., static_cast<double>(turn) - 3 * noise) / length);
   }
   double fastest = rate.size() < 3 ? *std::max_element(rate.begin(), rate.end()) : 0;
   for (std::size_t i = 2; i < rate.size(); ++i) {
@@ -181,7 +183,8 @@ template <LieGroup G, TimePoint Time>
     any = true;
     choice.interval = std::min(h, longest);
   }
-  const double unambiguous = longest_unambiguous_interval(poses);
+  const auto noise_of_turns = static_cast<double>(TurnAngle<G>::of(choice.noise));
+  const double unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);
   if (unambiguous < choice.interval) {
     choice.interval = unambiguous;
     choice.limit = KnotLimit::turn;
