@@ -602,7 +602,8 @@ TEST_CASE("Poses that turn by 95, 120 or 170° from one to the next give their r
       const auto found = fit<SplitCurve>(poses);
       CHECK(found.converged);
       REQUIRE(found.knot_choice);
-      CHECK(found.knot_choice->interval * rate <= largest_turn * (1 + 1e-9));
+      // The choice takes three times the length of the noise off each turn.
+      CHECK(found.knot_choice->interval * (rate - 6 * noise) <= largest_turn * (1 + 1e-9));
       for (double t = 0; t <= 60; t += 0.1) {
         CHECK((found.spline.evaluate<1>(t).velocity.head<3>() - Eigen::Vector3d(0, 0, rate)).norm() < 0.01 * rate);
       }

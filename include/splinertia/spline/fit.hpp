@@ -51,7 +51,9 @@ template <typename Curve, StampedPoses Poses>
   const auto outliers = [](const Fit<Curve>& fit) { return fit.outliers.size(); };
   const std::size_t few = std::ranges::size(poses) / 50;
   for (int tries = 0; tries < 4; ++tries) {
-    const bool turns = turns_too_far(result);
+    // An outlier may turn control points as far where no pose turns so fast.
+    const bool fast = 2 * result.knot_choice->interval > result.knot_choice->unambiguous;
+    const bool turns = fast && turns_too_far(result);
     if (!turns && (outliers(result) <= few || result.knot_choice->limit == KnotLimit::poses)) break;
     FitOptions<Curve> closer = options;
     KnotChoice<typename Curve::Group> choice = *result.knot_choice;

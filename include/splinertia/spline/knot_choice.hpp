@@ -97,6 +97,7 @@ struct KnotChoice {
   double interval;  ///< s
   KnotLimit limit;
   double pose_interval;  ///< s, the median
+  double unambiguous;    ///< s: in longer intervals the poses turn by more than 120°
   Tangent<G> noise;      ///< standard deviation of a pose, of each component (noise_of)
 };
 
@@ -146,7 +147,7 @@ struct SplineErrors {
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = seconds<double>(poses.back().time - poses.front().time);
-  KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), noise_of(poses)};
+  KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, noise_of(poses)};
   const auto good = [&](double h, const MotionAtScale<G>& motion) {
     const double poses_to_a_knot = h / choice.pose_interval;
     bool all = true;
@@ -184,9 +185,9 @@ template <LieGroup G, TimePoint Time>
     choice.interval = std::min(h, longest);
   }
   const auto noise_of_turns = static_cast<double>(TurnAngle<G>::of(choice.noise));
-  const double unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);
-  if (unambiguous < choice.interval) {
-    choice.interval = unambiguous;
+  choice.unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);
+  if (choice.unambiguous < choice.interval) {
+    choice.interval = choice.unambiguous;
     choice.limit = KnotLimit::turn;
   }
   return choice;

@@ -75,6 +75,7 @@ template <LieGroup G, TimePoint Time, std::size_t N>
 /// The standard deviation of each component of a pose, from how far each is from the polynomial through its nearest
 /// two, four and six neighbours: the median of magnitudes times 1.4826, over the amplification; the least of the three.
 /// It is that of white noise where the motion between neighbours is smooth beside the noise, and else an upper bound.
+/// Where the median is next to nothing, poses repeat or are rounded: there the value that a fifth exceeds counts.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] Tangent<G> noise_of(const std::vector<Stamped<G, Time>>& poses) {
   using std::abs;
@@ -96,8 +97,12 @@ template <LieGroup G, TimePoint Time>
       auto& all = magnitudes[row];
       const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
       std::nth_element(all.begin(), middle, all.end());
+      const Scalar median = *middle;
+      const auto upper = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 4 / 5);
+      std::nth_element(all.begin(), upper, all.end());
+      const Scalar of_upper = *upper / Scalar(1.2816f);
       Scalar& entry = least[static_cast<Eigen::Index>(row)];
-      entry = std::min(entry, normal * *middle);
+      entry = std::min(entry, 10 * normal * median < of_upper ? of_upper : normal * median);
     }
   };
   with.template operator()<3>();
