@@ -155,6 +155,12 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
                     "factor %g allowed): the curve swings, or follows poses that jump",
                     what, curve / differences, curve, differences, unit, factor));
     }
+    if (differences < 0 && curve > factor * 9.80665) {
+      lines.push_back(
+          formatted("the curve's largest %s is %.3g %s, and the poses are too few or too short to check it by their "
+                    "differences: it may be noise",
+                    what, curve, unit));
+    }
     if (differences - noise > factor * curve) {
       lines.push_back(
           formatted("the poses' differences show a %s of %.3g %s, the curve has at most %.3g (factor %g "
