@@ -18,7 +18,7 @@ using namespace splinertia::testing;
 
 namespace {
 
-/// Points without noise of coefficients in the order of noise_terms, an octave apart, as of a log of 2¹⁸ samples.
+/// Points without noise of coefficients in the order of standard_terms, an octave apart, as of a log of 2¹⁸ samples.
 template <typename Scalar>
 Curve<Scalar> model_curve(const std::vector<Scalar>& coefficients, Scalar rate) {
   constexpr std::int64_t n = 1 << 18;
@@ -26,7 +26,7 @@ Curve<Scalar> model_curve(const std::vector<Scalar>& coefficients, Scalar rate) 
   for (const std::int64_t m : AveragingFactors::octave().up_to(n / 4)) {
     const Scalar tau = static_cast<Scalar>(m) / rate;
     Scalar variance = 0;
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       const Scalar& coefficient = coefficients[static_cast<std::size_t>(term)];
       variance += coefficient * coefficient * allan_variance(term, tau);
     }
@@ -37,7 +37,7 @@ Curve<Scalar> model_curve(const std::vector<Scalar>& coefficients, Scalar rate) 
 
 bool sound(const NoiseEstimates<double>& estimates) {
   bool good = true;
-  for (const NoiseTerm term : noise_terms) {
+  for (const NoiseTerm term : standard_terms) {
     const auto& estimate = estimates[term];
     for (const auto& interval : {estimate.interval, estimate.one_sigma}) {
       good = good && interval.lower >= 0 && interval.upper >= interval.lower && !std::isnan(interval.upper);
@@ -61,7 +61,7 @@ TEMPLATE_TEST_CASE("The coefficients of a curve without noise", "", double, long
   for (std::size_t k = 0; k < models.size(); ++k) {
     const auto curve = model_curve(models[k], Scalar(200));
     const auto estimates = fit_curve(curve);
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       INFO("model " << k << ", " << symbol(term));
       const auto& estimate = estimates[term];
       const Scalar truth = models[k][static_cast<std::size_t>(term)];
@@ -103,7 +103,7 @@ TEST_CASE("The standard errors of a curve's fit are those of simulated logs") {
       if (separate) continue;
       detected += estimates.K.detected ? 1 : 0;
       for (int j = 0; j < 2; ++j) {
-        const auto& estimate = estimates[noise_terms[static_cast<std::size_t>(j)]];
+        const auto& estimate = estimates[standard_terms[static_cast<std::size_t>(j)]];
         sums[j] += estimate.value / logs;
         squares[j] += estimate.value * estimate.value / logs;
         errors[j] += estimate.standard_error() / logs;
@@ -127,7 +127,7 @@ TEST_CASE("Terms that a curve does not have are seldom found in it") {
     const auto estimates = fit_curve(overlapping(simulated({.n = 4000, .rate = 50, .white = 0.02, .seed = seed}), 50));
     CHECK(estimates.N.detected);
     CHECK_THAT(estimates.N.value, WithinRel(0.02, 0.1));
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       if (term == NoiseTerm::white) continue;
       found += estimates[term].detected ? 1 : 0;
       CHECK(estimates[term].interval.upper > 0);
@@ -161,7 +161,7 @@ TEST_CASE("A curve's coefficients scale with its unit") {
     auto scaled = curve;
     for (auto& point : scaled.points) point.deviation *= factor;
     const auto other = fit_curve(scaled);
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       CHECK(other[term].detected == estimates[term].detected);
       CHECK_THAT(other[term].interval.upper, WithinRel(estimates[term].interval.upper * factor, 1e-6));
     }
@@ -224,7 +224,7 @@ TEST_CASE("The order of a curve's points does not matter") {
   const auto estimates = fit_curve(curve);
   std::reverse(curve.points.begin(), curve.points.end());
   const auto reversed = fit_curve(curve);
-  for (const NoiseTerm term : noise_terms) {
+  for (const NoiseTerm term : standard_terms) {
     CHECK_THAT(reversed[term].interval.upper, WithinRel(estimates[term].interval.upper, 1e-6));
   }
 }

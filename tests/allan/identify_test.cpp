@@ -347,9 +347,9 @@ TEST_CASE("Logs and options that cannot be are refused") {
   CHECK(refusal({.confidence = 1}) == "identify: confidence is 1, expected a number between 0 and 1");
   CHECK(refusal({.confidence = std::numeric_limits<double>::quiet_NaN()}) ==
         "identify: confidence is nan, expected a number between 0 and 1");
-  CHECK(refusal({.candidates = {}}) == "identify: no candidates but a rate ramp, expected a noise term");
+  CHECK(refusal({.candidates = {}}) == "identify: no candidates but a drift, expected a noise term");
   CHECK(refusal({.candidates = {NoiseTerm::rate_ramp}}) ==
-        "identify: no candidates but a rate ramp, expected a noise term");
+        "identify: no candidates but a drift, expected a noise term");
   CHECK(refusal({.highest_frequency = -1}) == "identify: highest_frequency is -1, expected a finite number >= 0");
   CHECK(refusal({.highest_frequency = std::numeric_limits<double>::infinity()}) ==
         "identify: highest_frequency is inf, expected a finite number >= 0");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -112,13 +113,15 @@ TEST_CASE("Sets of noise terms") {
   }
 }
 
-TEST_CASE("Estimates by term, and the deviation that the detected ones add up to") {
+TEST_CASE("Estimates by term, and the deviation that the best description adds up to") {
   NoiseEstimates<double> estimates;
-  const double values[] = {1, 2, 3, 4, 5};
+  CHECK(estimates.deviation(2.0) == 0);
+  const std::array<double, 7> values{1, 2, 3, 4, 5, 6, 7};
   for (const NoiseTerm term : noise_terms) {
     Estimate<double>& estimate = estimates[term];
     CHECK(estimate.value == 0);
     CHECK_FALSE(estimate.detected);
+    CHECK_FALSE(estimate.possible);
     estimate.value = values[static_cast<std::size_t>(term)];
     estimate.one_sigma = {estimate.value - 0.5, estimate.value + 1};
     CHECK(estimate.standard_error() == 0.75);
@@ -129,11 +132,53 @@ TEST_CASE("Estimates by term, and the deviation that the detected ones add up to
   CHECK(&same[NoiseTerm::bias_instability] == &estimates.B);
   CHECK(&same[NoiseTerm::quantization] == &estimates.Q);
   CHECK(&same[NoiseTerm::rate_ramp] == &estimates.R);
+  CHECK(&same[NoiseTerm::gauss_markov] == &estimates.G);
+  CHECK(&same[NoiseTerm::warm_up] == &estimates.W);
   CHECK(estimates.deviation(2.0) == 0);
-  estimates.N.detected = estimates.R.detected = true;
+  estimates.duration = 50;
+  estimates.descriptions.push_back({.terms = NoiseTerms::all(), .values = {1, 0, 0, 0, 5}});
   CHECK_THAT(estimates.deviation(2.0), WithinRel(std::sqrt(1.0 / 2 + 25.0 * 4 / 2), 1e-14));
-  for (const NoiseTerm term : noise_terms) estimates[term].detected = true;
+  estimates.descriptions.front() = {
+      .terms = NoiseTerms::all(), .values = values, .correlation_time = 3, .decay_time = 11};
   const double floor = 2 * std::numbers::ln2 / std::numbers::pi;
   CHECK_THAT(estimates.deviation(2.0),
-             WithinRel(std::sqrt(1.0 / 2 + 4.0 * 2 / 3 + 9 * floor + 16.0 * 3 / 4 + 25.0 * 4 / 2), 1e-14));
+             WithinRel(std::sqrt(1.0 / 2 + 4.0 * 2 / 3 + 9 * floor + 16.0 * 3 / 4 + 25.0 * 4 / 2 +
+                                 36 * gauss_markov_allan_variance(2.0, 3.0) + 49 * warm_up_allan_variance(2.0, 11.0, 50.0)),
+                       1e-14));
+}
+
+TEST_CASE("The Allan variance of a Gauss-Markov bias is that of its covariance") {
+  const double time = 7;
+  for (const double tau : {1e-6, 0.01, 0.0699, 0.0701, 0.5, 7.0, 60.0, 1e4, 1e9}) {
+    INFO("tau " << tau);
+    // Half the variance of the difference of neighbouring averages: γ(0..τ) twice, less the covariance across.
+    const long double x = static_cast<long double>(tau) / time;
+    const long double within = 2 / x * (1 + std::expm1(-x) / x);        // of one average
+    const long double across = std::expm1(-x) * std::expm1(-x) / x / x;  // of two neighbours
+    const double exact = static_cast<double>(within - across);
+    // The difference cancels for small x: there the limit is a random walk's K²τ/3 with K² = 2/T.
+    const double reference = x < 1e-3L ? 2 * tau / (3 * time) : exact;
+    CHECK_THAT(gauss_markov_allan_variance(tau, time), WithinRel(reference, x < 1e-3L ? 1e-3 : 1e-4));
+  }
+  CHECK_THAT(gauss_markov_allan_variance(60.0, 7.0),
+             WithinRel(2 / (60.0 / 7) * (1 - (3 - 4 * std::exp(-60.0 / 7) + std::exp(-120.0 / 7)) / (120.0 / 7)), 1e-13));
+}
+
+TEST_CASE("The Allan variance of a warm-up is that of its averages over the log") {
+  const double decay = 20, duration = 100;
+  constexpr int n = 100'000;
+  for (const double tau : {0.1, 5.0, 20.0, 49.0}) {
+    INFO("tau " << tau);
+    double sum = 0;
+    for (int i = 0; i < n; ++i) {
+      const double start = (duration - 2 * tau) * (i + 0.5) / n;
+      const auto mean = [&](double from) { return decay / tau * std::exp(-from / decay) * -std::expm1(-tau / decay); };
+      const double difference = mean(start + tau) - mean(start);
+      sum += difference * difference / (2.0 * n);
+    }
+    CHECK_THAT(warm_up_allan_variance(tau, decay, duration), WithinRel(sum, 1e-6));
+  }
+  // At most one place: the beginning.
+  CHECK_THAT(warm_up_allan_variance(50.0, decay, duration),
+             WithinRel(std::pow(decay / 50 * std::pow(std::expm1(-2.5), 2), 2) / 2, 1e-12));
 }

@@ -69,6 +69,8 @@ class DifferenceSpectrum {
     Scalar count;                      ///< of b_k
     Scalar power;                      ///< Σ b_k², in unit()²
     Scalar ramp_product, ramp_square;  ///< Σ b_k w_k and Σ w_k²
+    Scalar odd_sum, even_sum;          ///< Σ b_k over odd and even k, in unit()
+    Scalar odd_count;                  ///< of the b_k with odd k
     std::array<Scalar, powers> basis;  ///< means over the bin: 4s², 1, 2s, 16s⁴ with s = sin(πf/rate)
   };
 
@@ -91,7 +93,11 @@ class DifferenceSpectrum {
         const Scalar angle = per_sine * static_cast<Scalar>(k);
         const Scalar sine = std::sin(angle), chord = 2 * sine, b_k = b[k - 1];
         bin.power += b_k * b_k;
-        if (k % 2 == 1) {
+        if (k % 2 == 0) {
+          bin.even_sum += b_k;
+        } else {
+          bin.odd_sum += b_k;
+          bin.odd_count += 1;
           const Scalar w = ramp_scale * std::cos(angle) / sine;
           bin.ramp_product += b_k * w;
           bin.ramp_square += w * w;

@@ -13,7 +13,6 @@
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
-#include <splinertia/allan/spectral_fit.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
@@ -57,7 +56,7 @@ class CurveFit {
     freedom_.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto& point = curve.points[static_cast<std::size_t>(i)];
-      for (const NoiseTerm term : noise_terms) {
+      for (const NoiseTerm term : standard_terms) {
         basis_(i, static_cast<Eigen::Index>(term)) = allan_variance(term, point.tau);
       }
       variance_[i] = (point.deviation / unit_) * (point.deviation / unit_);
@@ -111,7 +110,7 @@ class CurveFit {
   /// One step of least squares with the weights of a model.
   [[nodiscard]] Vector solve(NoiseTerms terms, const Column& model) const {
     unsigned candidates = 0;
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       if (terms.has(term)) candidates |= 1u << static_cast<unsigned>(term);
     }
     const Column weights = freedom_ / (2 * model.square());
@@ -131,7 +130,7 @@ class CurveFit {
     Vector scale = information.diagonal().cwiseSqrt().cwiseInverse();
     information = scale.asDiagonal() * information * scale.asDiagonal();
     scatter = scale.asDiagonal() * scatter * scale.asDiagonal();
-    for (const NoiseTerm term : noise_terms) {
+    for (const NoiseTerm term : standard_terms) {
       const auto j = static_cast<Eigen::Index>(term);
       if (terms.has(term)) continue;
       information.row(j).setZero();
@@ -187,6 +186,7 @@ template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {
   require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence, "a number between 0 and 1");
+  for (const NoiseTerm term : {NoiseTerm::gauss_markov, NoiseTerm::warm_up}) candidates = candidates.without(term);
   if (candidates.empty()) throw std::invalid_argument("fit_curve: no candidates, expected a noise term");
   const CurveFit<Scalar> fit(curve);
   const Scalar detection = std::sqrt(chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
@@ -200,7 +200,9 @@ template <typename Scalar>
   const auto result = fit.fit(model);
   NoiseEstimates<Scalar> estimates;
   estimates.highest_frequency = curve.rate / 2;
-  for (const NoiseTerm term : noise_terms) {
+  estimates.duration = static_cast<Scalar>(curve.samples) / curve.rate;
+  estimates.descriptions.push_back({.terms = model});
+  for (const NoiseTerm term : standard_terms) {
     if (!candidates.has(term)) continue;
     const auto j = static_cast<Eigen::Index>(term);
     const auto with_term = model.has(term) ? result : fit.fit(model.with(term));
@@ -216,6 +218,7 @@ template <typename Scalar>
       return Interval<Scalar>{Scalar(0), std::sqrt(theta + half) * fit.unit()};
     };
     estimate.value = std::sqrt(theta) * fit.unit();
+    if (estimate.detected) estimates.descriptions.front().values[static_cast<std::size_t>(term)] = estimate.value;
     estimate.interval = within(confidence);
     estimate.one_sigma = within(one_sigma<Scalar>);
   }

@@ -6,14 +6,18 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
-#include <splinertia/allan/chi_square.hpp>
+#include <splinertia/allan/band_selection.hpp>
 #include <splinertia/allan/difference_spectrum.hpp>
+#include <splinertia/allan/fit_bands.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
+#include <splinertia/allan/model_selection.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
-#include <splinertia/allan/spectral_fit.hpp>
+#include <splinertia/allan/pooled_spectrum.hpp>
+#include <splinertia/allan/profile_likelihood.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
@@ -26,9 +30,11 @@ template <typename Scalar>
 struct IdentifyOptions {
   Scalar confidence = Scalar(95) / 100;  ///< of Estimate::interval
   NoiseTerms candidates = NoiseTerms::all();
-  /// Frequencies above this one [Hz] are not used. Zero: all up to rate/2, but for octaves at the upper end that white
-  /// noise does not describe (the sensor's low-pass filter, vibration, hum).
+  /// Frequencies above this one [Hz] are not used. Zero: all up to rate/2.
   Scalar highest_frequency = 0;
+  std::vector<Interval<Scalar>> excluded{};  ///< bands of frequencies [Hz] that are not used either
+  /// Leave out, too, where the power is not that of noise terms: lines, resonances, what is above a low-pass filter.
+  bool exclude_misfits = true;
 };
 
 /// Identification of a model by its likelihood; what identify() below does step by step.
@@ -36,221 +42,282 @@ template <typename Scalar>
 class Identification {
  public:
   Identification(std::span<const DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
-      : options_(options), rate_(spectra[0].rate()), highest_(rate_ / 2), fit_(spectra, highest_) {
-    require(options.confidence > 0 && options.confidence < 1, "identify", "confidence", options.confidence,
-            "a number between 0 and 1");
-    require_non_negative("identify", "highest_frequency", options.highest_frequency);
-    if (options.candidates.without(NoiseTerm::rate_ramp).empty()) {
-      throw std::invalid_argument("identify: no candidates but a rate ramp, expected a noise term");
-    }
-    if (options.highest_frequency > 0) restrict_to(spectra, options.highest_frequency);
+      : options_(checked(options)),
+        spectrum_(spectra),
+        highest_(options.highest_frequency > 0 ? std::min(options.highest_frequency, spectrum_.rate() / 2)
+                                               : spectrum_.rate() / 2),
+        bands_(spectrum_, highest_, options.excluded) {
+    require_enough();
     select();
-    if (options.highest_frequency > 0) return;
-    bool restricted = false;
-    while (!fits() && drop_octave(spectra)) restricted = true;
-    // What bends the octave that is left out bends the next one, too, below what shows in it.
-    if (restricted) drop_octave(spectra);
+    if (!options.exclude_misfits || fits()) return;
+    bands_.leave_out_misfits(NoiseTerms{NoiseTerm::white, NoiseTerm::random_walk, NoiseTerm::bias_instability,
+                                        NoiseTerm::quantization, NoiseTerm::rate_ramp, NoiseTerm::gauss_markov});
+    constexpr int most_rounds = 12;
+    for (int round = 0; round < most_rounds && enough(); ++round) {
+      select();
+      if (std::abs(worst_.off) < BandSelection<Scalar>::most_off) return;
+      bands_.leave_out(worst_);
+    }
+    if (enough()) return;
+    // Nothing in it is like these terms: what is said is about all of it, and that it does not fit.
+    bands_.reset();
+    select();
   }
 
   [[nodiscard]] NoiseEstimates<Scalar> estimates() const {
     NoiseEstimates<Scalar> result;
-    for (const NoiseTerm term : noise_terms) {
-      if (options_.candidates.has(term)) result[term] = estimate(term);
-    }
-    result.highest_frequency = highest_;
+    result.duration = spectrum_.duration();
+    const auto descriptions = selection_->descriptions();
+    for (const Model& model : descriptions) result.descriptions.push_back(described(model));
+    for (Description<Scalar>& description : result.descriptions) description.cost -= selection_->best().cost;
     result.fits = fits();
-    for (const auto& band : bands_) {
-      result.bands.push_back({{band.lowest, band.highest}, band.ratio, band.standard_error});
+    result.fit_probability = probability_;
+    for (const auto& octave : octaves_) result.bands.push_back(octave.fit);
+    const std::size_t end = bands_.used_end();
+    const bool all = end == spectrum_.bins().size();
+    result.highest_frequency = all ? spectrum_.rate() / 2 : std::min(highest_, spectrum_.bins()[end - 1].frequency);
+    if (end > 0 && highest_ < spectrum_.rate() / 2 && spectrum_.bins()[end - 1].frequency <= highest_ &&
+        (end == spectrum_.bins().size() || spectrum_.bins()[end].frequency > highest_)) {
+      result.highest_frequency = highest_;
+    }
+    const FitBands<Scalar> fit(*fit_, selection_->best().result, has_trend(selection_->best().terms), Scalar(0));
+    for (const auto& [begin, past] : bands_.gaps()) result.excluded.push_back(fit.band(begin, past));
+    for (const NoiseTerm term : noise_terms) {
+      if (options_.candidates.has(term)) estimate(term, descriptions, result);
     }
     return result;
   }
 
  private:
   using Fit = SpectralFit<Scalar>;
+  using Selection = ModelSelection<Scalar>;
+  using Model = typename Selection::Model;
   using Result = typename Fit::Result;
 
-  void restrict_to(std::span<const DifferenceSpectrum<Scalar>> spectra, Scalar highest) {
-    const Scalar first = spectra[0].bins().front().frequency;
-    if (!(highest > 8 * first)) {
-      throw std::invalid_argument(message("identify: highest_frequency is ", highest,
-                                          " Hz, expected more than eight times the lowest of the log, ", first, " Hz"));
+  [[nodiscard]] static const IdentifyOptions<Scalar>& checked(const IdentifyOptions<Scalar>& options) {
+    require(options.confidence > 0 && options.confidence < 1, "identify", "confidence", options.confidence,
+            "a number between 0 and 1");
+    require_non_negative("identify", "highest_frequency", options.highest_frequency);
+    for (const auto& band : options.excluded) {
+      require_non_negative("identify", "excluded band", band.lower);
+      require(band.upper > band.lower, "identify", "upper end of an excluded band", band.upper,
+              "more than its lower end");
     }
-    fit_ = Fit(spectra, highest);
-    highest_ = std::min(highest, rate_ / 2);
+    if (options.candidates.without(NoiseTerm::rate_ramp).without(NoiseTerm::warm_up).empty()) {
+      throw std::invalid_argument("identify: no candidates but a drift, expected a noise term");
+    }
+    return options;
   }
 
-  /// Leaves out the highest octave, if enough is left.
-  bool drop_octave(std::span<const DifferenceSpectrum<Scalar>> spectra) {
-    const Scalar below = bands_.front().lowest * (1 - std::numeric_limits<Scalar>::epsilon());
-    Fit fit(spectra, below);
-    if (below < rate_ / 256 || fit.bins() < 64) return false;
-    fit_ = std::move(fit);
-    highest_ = below;
-    select();
+  void require_enough() const {
+    const Scalar first = spectrum_.bins().front().frequency;
+    if (options_.highest_frequency > 0 && !(options_.highest_frequency > 8 * first)) {
+      throw std::invalid_argument(message("identify: highest_frequency is ", options_.highest_frequency,
+                                          " Hz, expected more than eight times the lowest of the log, ", first, " Hz"));
+    }
+    if (!options_.excluded.empty() && !enough()) {
+      throw std::invalid_argument("identify: the excluded bands leave too little, expected four octaves or more");
+    }
+  }
+
+  /// Enough of a spectrum is left to say something.
+  [[nodiscard]] bool enough() const { return bands_.count() >= std::min<std::size_t>(64, spectrum_.bins().size()); }
+
+  [[nodiscard]] static bool has_trend(NoiseTerms terms) {
+    return terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
+  }
+
+  /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
+  /// does if that end is left out.
+  [[nodiscard]] NoiseTerms candidates() const {
+    const bool upper_end = bands_.used_end() == spectrum_.bins().size();
+    return upper_end ? options_.candidates : options_.candidates.without(NoiseTerm::quantization);
+  }
+
+  void select() {
+    fit_.emplace(spectrum_, bands_.included());
+    selection_.emplace(*fit_, candidates());
+    const Model& best = selection_->best();
+    const FitBands<Scalar> bands(*fit_, best.result, has_trend(best.terms), BandSelection<Scalar>::tolerance);
+    worst_ = bands.worst(bands_.included());
+    octaves_ = bands.octaves(bands_.included());
+    Scalar parameters = 0;
+    for (const NoiseTerm term : noise_terms) parameters += best.terms.has(term) ? 1 : 0;
+    probability_ = FitBands<Scalar>::probability(octaves_, parameters, BandSelection<Scalar>::tolerance);
+  }
+
+  /// Chance deviates as much in one log of a thousand.
+  [[nodiscard]] bool fits() const {
+    return probability_ > Scalar(1) / 1000 && std::abs(worst_.off) < BandSelection<Scalar>::most_off;
+  }
+
+  [[nodiscard]] Description<Scalar> described(const Model& model) const {
+    Description<Scalar> description{.terms = model.terms, .cost = model.cost};
+    const auto set = [&](NoiseTerm term, Scalar value) { description.values[static_cast<std::size_t>(term)] = value; };
+    for (const NoiseTerm term : Fit::spectral_terms) {
+      const Scalar theta = model.result.theta[Fit::place(term)];
+      if (model.terms.has(term) && term != NoiseTerm::gauss_markov) set(term, in_units(term, std::sqrt(theta)));
+    }
+    if (model.terms.has(NoiseTerm::gauss_markov)) {
+      const Scalar time = model.result.times.correlation;
+      set(NoiseTerm::gauss_markov, in_units(NoiseTerm::gauss_markov,
+                                            std::sqrt(model.result.theta[Fit::place(NoiseTerm::gauss_markov)] * time)));
+      description.correlation_time = time;
+    }
+    if (has_trend(model.terms)) {
+      const NoiseTerm term =
+          model.terms.has(NoiseTerm::rate_ramp) ? NoiseTerm::rate_ramp : NoiseTerm::warm_up;
+      set(term, trend_in_units(term, trend_size(model.result), model.result));
+      if (term == NoiseTerm::warm_up) description.decay_time = model.result.times.decay;
+    }
+    return description;
+  }
+
+  /// Root mean square of the slopes of all axes, unit() a sample.
+  [[nodiscard]] static Scalar trend_size(const Result& result) {
+    Scalar squares = 0;
+    for (const Scalar& slope : result.slopes) squares += slope * slope;
+    return std::sqrt(squares / static_cast<Scalar>(result.slopes.size()));
+  }
+
+  /// A slope in u/s, or the height that decays with that slope at its beginning. The unit comes last: before, it could
+  /// overflow.
+  [[nodiscard]] Scalar trend_in_units(NoiseTerm term, Scalar slope, const Result& result) const {
+    if (term == NoiseTerm::rate_ramp) return slope * spectrum_.rate() * spectrum_.unit();
+    return slope / -std::expm1(-1 / (spectrum_.rate() * result.times.decay)) * spectrum_.unit();
+  }
+
+  /// The coefficient of a term whose √θ this is; of a Gauss–Markov bias, of √(θ·correlation time).
+  [[nodiscard]] Scalar in_units(NoiseTerm term, Scalar root) const {
+    const Scalar rate = spectrum_.rate(), unit = spectrum_.unit();
+    switch (term) {
+      case NoiseTerm::white:
+        return root / std::sqrt(rate) * unit;
+      case NoiseTerm::random_walk:
+        return root * std::sqrt(rate) * unit;
+      case NoiseTerm::quantization:
+        return root / rate * unit;
+      case NoiseTerm::gauss_markov:
+        return root * std::sqrt(rate / 2) * unit;
+      default:
+        return root * unit;
+    }
+  }
+
+  void estimate(NoiseTerm term, const std::vector<Model>& descriptions, NoiseEstimates<Scalar>& result) const {
+    Estimate<Scalar>& estimate = result[term];
+    estimate.detected = selection_->detects(term) && claimable(term, result);
+    bool first = true;
+    // Beside a walk, a Gauss–Markov bias is one that forgets more slowly than the log can tell.
+    const bool walks = term == NoiseTerm::random_walk &&
+                       std::any_of(descriptions.begin(), descriptions.end(), [](const Model& model) {
+                         return model.terms.has(NoiseTerm::random_walk);
+                       });
+    for (const Model& model : descriptions) {
+      const bool walk_like =
+          walks && model.terms.has(NoiseTerm::gauss_markov) && !model.terms.has(NoiseTerm::random_walk);
+      if (!model.terms.has(term) && !walk_like) continue;
+      estimate.possible = true;
+      add(walk_like ? NoiseTerm::gauss_markov : term, walk_like, model, first && !walk_like, result, estimate);
+      if (!walk_like) first = false;
+    }
+    if (!estimate.possible && term != NoiseTerm::gauss_markov && term != NoiseTerm::warm_up) {
+      // The largest that it could be beside what is there.
+      const Model& best = selection_->best();
+      Model with{best.terms.with(term), {}, Scalar(0)};
+      if (term == NoiseTerm::rate_ramp) with.terms = with.terms.without(NoiseTerm::warm_up);
+      with.result = selection_->likelihood().maximise(with.terms, &best.result);
+      add(term, false, with, true, result, estimate);
+    }
+    if (estimate.detected) estimate.possible = false;
+    if (!estimate.detected) estimate.interval.lower = estimate.one_sigma.lower = Scalar(0);
+  }
+
+  /// Terms other than white noise are named only where the log is described by them.
+  [[nodiscard]] bool claimable(NoiseTerm term, const NoiseEstimates<Scalar>& result) const {
+    if (term == NoiseTerm::white) return true;
+    if (!result.fits) return false;
+    const auto& best = selection_->best();
+    if (term == NoiseTerm::gauss_markov && best.terms.has(term)) {
+      // What is flat below a band that was left out and falls inside it is that band's foot.
+      const Scalar corner = 1 / (2 * std::numbers::pi_v<Scalar> * best.result.times.correlation);
+      for (const auto& band : result.excluded) {
+        if (band.frequencies.lower < 4 * corner && corner < 4 * band.frequencies.upper) return false;
+      }
+    }
     return true;
   }
 
-  /// The set of terms that is most likely after a price for each: that of a detection at 1 %. Where a random walk
-  /// describes a log almost as well as bias instability it is the walk, which estimators model. A walk of which a log
-  /// holds few independent periods looks like a ramp more often than Gaussian theory says (4 % at one price, 1 % at
-  /// two): a ramp costs three.
-  void select() {
-    const Scalar level = Scalar(99) / 100;
-    const Scalar price = chi_square_quantile(level, Scalar(1));
-    const Scalar ramp_price = 3 * chi_square_quantile(level, static_cast<Scalar>(fit_.spectra()));
-    std::array<Scalar, NoiseTerms::sets> costs;
-    constexpr Scalar untried = std::numeric_limits<Scalar>::max();
-    costs.fill(untried);
-    std::array<Result, NoiseTerms::sets> results;
-    for (unsigned set = 1; set < NoiseTerms::sets; ++set) {
-      const NoiseTerms model = NoiseTerms::numbered(set);
-      if (!model.within(options_.candidates) || model == NoiseTerms{NoiseTerm::rate_ramp}) continue;
-      const Result* simpler = nullptr;
-      Scalar prices = 0;
-      for (const NoiseTerm term : noise_terms) {
-        if (!model.has(term)) continue;
-        prices += term == NoiseTerm::rate_ramp ? ramp_price : price;
-        const unsigned without = model.without(term).number();
-        if (costs[without] == untried) continue;
-        if (simpler == nullptr || results[without].objective < simpler->objective) simpler = &results[without];
+  /// Widens an estimate by what one description says; the first also says the value.
+  void add(NoiseTerm term, bool walk_like, const Model& model, bool first, NoiseEstimates<Scalar>& result,
+           Estimate<Scalar>& estimate) const {
+    const ProfileLikelihood<Scalar> profile(selection_->likelihood(), model.terms, model.result);
+    const auto widen = [](Interval<Scalar>& whole, const Interval<Scalar>& more) {
+      if (whole.upper == 0) {
+        whole = more;
+      } else {
+        whole = {std::min(whole.lower, more.lower), std::max(whole.upper, more.upper)};
       }
-      results[set] = simpler == nullptr ? fit_.maximise(model) : maximum(model, *simpler);
-      costs[set] = results[set].objective + prices;
-    }
-    auto best = static_cast<unsigned>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-    if (const NoiseTerms model = NoiseTerms::numbered(best);
-        model.has(NoiseTerm::bias_instability) && !model.has(NoiseTerm::random_walk)) {
-      const NoiseTerms rest = model.without(NoiseTerm::bias_instability);
-      const unsigned walk = rest.with(NoiseTerm::random_walk).number();
-      if (costs[walk] < costs[best] + price) best = costs[rest.number()] < costs[walk] ? rest.number() : walk;
-    }
-    model_ = NoiseTerms::numbered(best);
-    result_ = std::move(results[best]);
-    bands_ = fit_.bands(result_);
-  }
-
-  /// The likelihood can have several maxima, with more of the walk or of the ramp. The better one of what the signal
-  /// leads to and what a model with fewer terms does: more terms are never less likely.
-  [[nodiscard]] Result maximum(NoiseTerms model, const Result& simpler) const {
-    Result result = fit_.maximise(model), other = fit_.maximise(model, {}, &simpler.theta);
-    return other.objective < result.objective ? other : result;
-  }
-
-  /// The power agrees with the model in each octave; or in those of which white noise makes up more than half, if the
-  /// highest is among them: that something slow is in the log that is none of the terms is no reason to give up N.
-  [[nodiscard]] bool fits() const {
-    // Within 0.5 %, or what chance does once in a million.
-    const auto agrees = [](const auto& band) {
-      // The cube root of a mean of squares is all but normal: Wilson and Hilferty, PNAS 17 (1931).
-      const Scalar variance = band.standard_error * band.standard_error / 9;
-      const Scalar off = (std::cbrt(band.ratio) - (1 - variance)) / std::sqrt(variance);
-      return std::abs(band.ratio - 1) <= Scalar(5) / 1000 || std::abs(off) <= 5;
     };
-    const auto white = [](const auto& band) { return band.white_share > Scalar(1) / 2; };
-    return std::all_of(bands_.begin(), bands_.end(), agrees) ||
-           (white(bands_.front()) &&
-            std::all_of(bands_.begin(), bands_.end(), [&](const auto& band) { return !white(band) || agrees(band); }));
-  }
-
-  [[nodiscard]] Estimate<Scalar> estimate(NoiseTerm term) const {
-    Estimate<Scalar> estimate;
-    estimate.detected = model_.has(term);
-    const NoiseTerms model = model_.with(term);
-    const Result best = estimate.detected ? result_ : maximum(model, result_);
-    const Scalar wanted = chi_square_quantile(options_.confidence, Scalar(1));
-    if (term == NoiseTerm::rate_ramp) {
-      Scalar squares = 0;
-      for (const Scalar& slope : best.slopes) squares += slope * slope;
-      const auto count = static_cast<Scalar>(best.slopes.size());
-      const auto in_units = [&](Scalar slope) { return slope * rate_ * fit_.unit(); };
-      estimate.value = in_units(std::sqrt(squares / count));
-      const auto within = [&](Scalar drop) {
-        const Scalar half = in_units(std::sqrt(drop / count) * best.slope_error);
-        return Interval<Scalar>{std::max(estimate.value - half, Scalar(0)), estimate.value + half};
-      };
-      estimate.interval = within(wanted);
-      estimate.one_sigma = within(Scalar(1));
-    } else {
-      const auto j = static_cast<Eigen::Index>(term);
-      const Scalar root = std::sqrt(best.theta[j]);
-      // The squared relative error e² of the root is that of a scale known from 1/(2e²) squares. Of few, the ratio of
-      // likelihoods is larger than of many by 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
-      const Scalar share = root > 0 ? profile_end(model, term, best, Scalar(1), true) / root - 1 : Scalar(1);
-      const Scalar error = std::min(share * share, Scalar(1) / 2);
-      const auto within = [&](Scalar drop) {
-        const Scalar corrected = drop * (1 + 2 * error / 3);
-        return Interval<Scalar>{in_units(term, profile_end(model, term, best, corrected, false)),
-                                in_units(term, profile_end(model, term, best, corrected, true))};
-      };
-      estimate.interval = within(wanted);
-      estimate.one_sigma = within(Scalar(1));
-      estimate.value = (estimate.one_sigma.lower + estimate.one_sigma.upper) / 2;
-    }
-    if (!estimate.detected) estimate.interval.lower = estimate.one_sigma.lower = Scalar(0);
-    return estimate;
-  }
-
-  /// The coefficient of a term whose √θ this is. The unit comes last: before, it could overflow.
-  [[nodiscard]] Scalar in_units(NoiseTerm term, Scalar root) const {
-    switch (term) {
-      case NoiseTerm::white:
-        return root / std::sqrt(rate_) * fit_.unit();
-      case NoiseTerm::random_walk:
-        return root * std::sqrt(rate_) * fit_.unit();
-      case NoiseTerm::quantization:
-        return root / rate_ * fit_.unit();
-      default:
-        return root * fit_.unit();
-    }
-  }
-
-  /// The √θ below or above the most likely one at which −2·log-likelihood, all else at its best, is `drop` higher: the
-  /// end of the likelihood interval, which has its level whatever function of θ is looked at (Wilks).
-  [[nodiscard]] Scalar profile_end(NoiseTerms model, NoiseTerm term, const Result& best, Scalar drop,
-                                   bool above) const {
-    const auto j = static_cast<Eigen::Index>(term);
-    typename Fit::Vector start = best.theta;
-    const auto excess = [&](Scalar root) {
-      start[j] = root * root;
-      const Result result = fit_.maximise(model, typename Fit::Fixed{term, root * root}, &start);
-      start = result.theta;
-      return result.objective - best.objective - drop;
-    };
-    const Scalar centre = std::sqrt(best.theta[j]);
-    Scalar inside = centre, outside = Scalar(0);
-    if (above) {
-      // A first step that is some share of what all the power could be.
-      Scalar reach = std::max(centre / 8, std::sqrt(std::max(best.theta.sum(), Fit::floor())) / 1'000'000);
-      outside = centre + reach;
-      while (excess(outside) < 0) {
-        inside = outside;
-        reach *= 2;
-        outside = centre + reach;
+    const auto interval_at = [&](Scalar confidence) -> Interval<Scalar> {
+      if (term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up) return trend_interval(term, model, confidence);
+      if (term == NoiseTerm::gauss_markov && !walk_like) {
+        const auto root = profile.gauss_markov_root(confidence);
+        return {in_units(term, root.lower), in_units(term, root.upper)};
       }
-    } else if (excess(Scalar(0)) <= 0) {
-      return Scalar(0);
+      const auto root = profile.root(term, confidence);
+      const NoiseTerm unit = walk_like ? NoiseTerm::random_walk : term;
+      return {in_units(unit, root.lower), in_units(unit, root.upper)};
+    };
+    const Interval<Scalar> one_sigma_interval = interval_at(one_sigma<Scalar>);
+    if (first) {
+      estimate.value = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up
+                           ? trend_in_units(term, trend_size(model.result), model.result)
+                           : (one_sigma_interval.lower + one_sigma_interval.upper) / 2;
+      const auto& likelihood = selection_->likelihood();
+      using Times = typename Fit::Times;
+      if (term == NoiseTerm::gauss_markov) {
+        result.G.time = model.result.times.correlation;
+        result.G.time_interval = profile.time(&Times::correlation, likelihood.correlation_times(), options_.confidence);
+      } else if (term == NoiseTerm::warm_up) {
+        result.W.time = model.result.times.decay;
+        result.W.time_interval = profile.time(&Times::decay, likelihood.decay_times(), options_.confidence);
+      }
     }
-    // Bisection: each step is a fit that starts next to its solution, and twenty settle the end to 1e-6 of its
-    // distance.
-    for (int i = 0; i < 20; ++i) {
-      const Scalar middle = (inside + outside) / 2;
-      (excess(middle) < 0 ? inside : outside) = middle;
+    widen(estimate.interval, interval_at(options_.confidence));
+    widen(estimate.one_sigma, one_sigma_interval);
+  }
+
+  /// As of a model that has a walk, too, if it has nothing slow: one that is too weak to show widens it, still.
+  [[nodiscard]] Interval<Scalar> trend_interval(NoiseTerm term, const Model& model, Scalar confidence) const {
+    NoiseTerms terms = model.terms;
+    Result best = model.result;
+    if (!terms.has(NoiseTerm::gauss_markov) && !terms.has(NoiseTerm::bias_instability) &&
+        options_.candidates.has(NoiseTerm::random_walk)) {
+      terms = terms.with(NoiseTerm::random_walk);
+      best = selection_->likelihood().near(terms, model.result);
     }
-    return (inside + outside) / 2;
+    const Scalar centre = trend_size(model.result), count = static_cast<Scalar>(best.slopes.size());
+    const Scalar half = std::sqrt(chi_square_quantile(confidence, Scalar(1)) / count) * best.slope_error;
+    return {trend_in_units(term, std::max(centre - half, Scalar(0)), model.result),
+            trend_in_units(term, centre + half, model.result)};
   }
 
   IdentifyOptions<Scalar> options_;
-  Scalar rate_;
+  PooledSpectrum<Scalar> spectrum_;
   Scalar highest_;
-  Fit fit_;
-  NoiseTerms model_;
-  Result result_;
-  std::vector<typename Fit::BandFit> bands_;
+  BandSelection<Scalar> bands_;
+  std::optional<Fit> fit_;
+  std::optional<Selection> selection_;
+  typename FitBands<Scalar>::Window worst_{};
+  std::vector<typename FitBands<Scalar>::Octave> octaves_;
+  Scalar probability_{};
 };
 
-/// The noise of a static log: N, K, B, Q and R with intervals, or upper limits of what is not in it. By maximum
-/// likelihood of the signal's differences, exact for white noise and random walk; the intervals are those of the
-/// profile likelihood. Throws std::invalid_argument as IntegratedSignal and for options out of their range.
+/// The noise of a static log: N, K, B, Q, R, a Gauss–Markov bias and a warm-up with intervals, or upper limits of what is
+/// not in it. By maximum likelihood of the signal's differences, exact for white noise and random walk; the intervals
+/// are those of the profile likelihood, over all descriptions of the log that are equally good. Throws
+/// std::invalid_argument as IntegratedSignal and for options out of their range.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {

@@ -9,7 +9,8 @@ namespace splinertia::allan {
 
 /// Least squares for unknowns that are not negative: the minimum of xᵀAx/2 − bᵀx, A the matrix of the normal equations
 /// and b their right side, over x ≥ 0 with x_j = 0 unless bit j of `candidates` is set. Exact, by trying each way to
-/// hold some of them at zero: for a handful of unknowns. A may be singular or badly scaled.
+/// hold some of them at zero: for a handful of unknowns. The way that holds none comes first: if its solution is not
+/// negative, no other is better. A may be singular or badly scaled.
 template <typename Scalar, int Size>
 [[nodiscard]] Eigen::Matrix<Scalar, Size, 1> non_negative_solution(const Eigen::Matrix<Scalar, Size, Size>& A,
                                                                    const Eigen::Matrix<Scalar, Size, 1>& b,
@@ -40,6 +41,7 @@ template <typename Scalar, int Size>
     if (solution.minCoeff() >= 0 && gain > best_gain) {
       best_gain = gain;
       best = solution;
+      if (free == candidates) break;
     }
   }
   return scale.cwiseProduct(best);

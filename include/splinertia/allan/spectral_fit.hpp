@@ -6,118 +6,136 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <optional>
-#include <span>
-#include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
+#include <splinertia/allan/pooled_spectrum.hpp>
 #include <utility>
 #include <vector>
 
 namespace splinertia::allan {
 
-/// Which of the terms a model has.
-class NoiseTerms {
- public:
-  constexpr NoiseTerms() = default;
-  constexpr NoiseTerms(std::initializer_list<NoiseTerm> terms) {
-    for (const NoiseTerm term : terms) bits_ |= bit(term);
-  }
-  static constexpr unsigned sets = 32;
-  [[nodiscard]] static constexpr NoiseTerms all() { return numbered(sets - 1); }
-  /// One of 0 … sets − 1, each another set.
-  [[nodiscard]] static constexpr NoiseTerms numbered(unsigned bits) {
-    NoiseTerms result;
-    result.bits_ = bits;
-    return result;
-  }
-  [[nodiscard]] constexpr unsigned number() const { return bits_; }
-  [[nodiscard]] constexpr bool has(NoiseTerm term) const { return (bits_ & bit(term)) != 0; }
-  [[nodiscard]] constexpr NoiseTerms with(NoiseTerm term) const { return numbered(bits_ | bit(term)); }
-  [[nodiscard]] constexpr NoiseTerms without(NoiseTerm term) const { return numbered(bits_ & ~bit(term)); }
-  [[nodiscard]] constexpr bool within(NoiseTerms other) const { return (bits_ & ~other.bits_) == 0; }
-  [[nodiscard]] constexpr bool empty() const { return bits_ == 0; }
-  [[nodiscard]] constexpr bool operator==(const NoiseTerms&) const = default;
-
- private:
-  [[nodiscard]] static constexpr unsigned bit(NoiseTerm term) { return 1u << static_cast<unsigned>(term); }
-  unsigned bits_ = 0;
-};
-
-/// Maximum likelihood of noise terms, from the spectra of one signal's differences or of several that share them.
+/// Maximum likelihood of noise terms in the bins of a spectrum.
 ///
 /// The b_k of a spectrum are Gaussian with mean square S_k = Σ θ_j·basis_jk and independent: exactly so for white noise
 /// and random walk, but for what is common to neighbouring bins also for the other terms. To maximise is to minimise
-/// Σ log S_k + (b_k − c w_k)²/S_k, c the slope of a rate ramp. For given S this is linear least squares; repeated with
+/// Σ log S_k + (b_k − c w_k)²/S_k, c the slope of a trend. For given S this is linear least squares; repeated with
 /// the S found it is Fisher's scoring (McCullagh and Nelder, "Generalized Linear Models", 2.5), here with θ ≥ 0.
+///
+/// Above the 64th, neighbouring bins are taken together up to a tenth of their frequency, where they are all used:
+/// every term is all but linear over so little.
 template <typename Scalar>
 class SpectralFit {
  public:
-  static constexpr int powers = DifferenceSpectrum<Scalar>::powers;
+  using Spectrum = PooledSpectrum<Scalar>;
+  /// White noise, random walk, bias instability, quantization, Gauss–Markov.
+  static constexpr int powers = Spectrum::powers + 1;
   using Vector = Eigen::Matrix<Scalar, powers, 1>;
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
-  struct Result {
-    Vector theta;                ///< powers of white noise, random walk, bias instability, quantization; unit()²
-    Scalar objective;            ///< −2·log-likelihood, but for a constant
-    std::vector<Scalar> slopes;  ///< of each spectrum, unit() a sample; zero if the model has no ramp
-    Scalar slope_error{};        ///< standard error of a slope; zero if the model has no ramp
-  };
-
-  /// Of spectra with the same rate and length; frequencies above `highest` [Hz] are left out.
-  SpectralFit(std::span<const DifferenceSpectrum<Scalar>> spectra, Scalar highest) : unit_(0) {
-    for (const auto& spectrum : spectra) unit_ = std::max(unit_, spectrum.unit());
-    for (const auto& spectrum : spectra) {
-      const Scalar scale = spectrum.unit() / unit_;
-      std::vector<Scalar> ramp_products;
-      for (std::size_t i = 0; i < spectrum.bins().size(); ++i) {
-        const auto& bin = spectrum.bins()[i];
-        if (bin.frequency > highest) break;
-        if (i == bins_.size()) {
-          bins_.push_back({bin.frequency, 0, 0, 0, Eigen::Map<const Vector>(bin.basis.data())});
-        }
-        bins_[i].count += bin.count;
-        bins_[i].power += bin.power * scale * scale;
-        ramp_products.push_back(bin.ramp_product * scale);
-        if (&spectrum == spectra.data()) bins_[i].ramp_square = bin.ramp_square;
-      }
-      ramp_products_.push_back(std::move(ramp_products));
-    }
+  /// The terms that have a place in θ.
+  static constexpr std::array<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
+                                                                NoiseTerm::bias_instability, NoiseTerm::quantization,
+                                                                NoiseTerm::gauss_markov};
+  /// The place of a term in θ.
+  [[nodiscard]] static constexpr int place(NoiseTerm term) {
+    return term == NoiseTerm::gauss_markov ? powers - 1 : static_cast<int>(term);
   }
 
-  [[nodiscard]] Scalar unit() const { return unit_; }
+  /// What a model has besides coefficients.
+  struct Times {
+    Scalar correlation{};  ///< of the Gauss–Markov bias, s
+    Scalar decay = std::numeric_limits<Scalar>::infinity();  ///< of the trend, s; infinite: a ramp
+  };
+
+  struct Result {
+    Vector theta = Vector::Zero();  ///< N²·rate, K²/rate, B², Q²·rate², and 2σ²/(T·rate) of Gauss–Markov; unit()²
+    Scalar objective = std::numeric_limits<Scalar>::max();  ///< −2·log-likelihood, but for a constant
+    std::vector<Scalar> slopes;  ///< of each spectrum at its beginning, unit() a sample; zero if the model has no trend
+    Scalar slope_error{};        ///< standard error of a slope; zero if the model has no trend
+    Times times{};
+  };
+
+  /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
+  SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
+              Scalar most_count = std::numeric_limits<Scalar>::max())
+      : spectrum_(&spectrum) {
+    const auto& bins = spectrum.bins();
+    bool joins = false;
+    for (std::size_t i = 0; i < bins.size(); joins = included[i], ++i) {
+      if (!included[i]) continue;
+      if (!joins || i < 64 || bins[i].frequency * 10 > first_frequency_ * 11) {
+        groups_.push_back({i, i});
+        first_frequency_ = bins[i].frequency;
+      }
+      groups_.back().end = i + 1;
+    }
+    const auto size = static_cast<Eigen::Index>(groups_.size());
+    count_.setZero(size);
+    power_.setZero(size);
+    basis_.setZero(size, powers);
+    share_.resize(size);
+    frequency_.resize(size);
+    for (Eigen::Index g = 0; g < size; ++g) {
+      Eigen::Matrix<Scalar, Spectrum::powers, 1> sum = Eigen::Matrix<Scalar, Spectrum::powers, 1>::Zero();
+      for (std::size_t i = group(g).begin; i < group(g).end; ++i) {
+        count_[g] += bins[i].count;
+        power_[g] += bins[i].power;
+        sum += bins[i].count * bins[i].basis;
+      }
+      basis_.row(g).template head<Spectrum::powers>() = sum / count_[g];
+      frequency_[g] = (bins[group(g).begin].frequency + bins[group(g).end - 1].frequency) / 2;
+      const Scalar most = most_count * static_cast<Scalar>(group(g).end - group(g).begin);
+      share_[g] = std::min(Scalar(1), most / count_[g]);
+    }
+    count_ *= share_;
+    power_ *= share_;
+  }
+
+  [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   /// The least S_k, in unit()²: the rounding of the largest sample. Without it, a signal that a ramp describes to the
   /// last digit would have no likelihood.
   [[nodiscard]] static Scalar floor() {
     return std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
   }
-  [[nodiscard]] std::size_t spectra() const { return ramp_products_.size(); }
-  [[nodiscard]] std::size_t bins() const { return bins_.size(); }
+  /// Groups of bins, each with one expected power.
+  [[nodiscard]] std::size_t groups() const { return groups_.size(); }
+
+  /// What the square of a Gauss–Markov bias of 2σ²/(T·rate) = 1 has at a bin with basis_0 = x: a random walk's 1 times
+  /// x·(1 − φ²)/(2a)/((1 − φ)² + φx), a = 1/(T·rate), φ = e^(−a).
+  [[nodiscard]] Scalar gauss_markov_basis(Scalar x, Scalar correlation_time) const {
+    const Scalar step = 1 / (spectrum_->rate() * correlation_time), keep = std::exp(-step), lost = -std::expm1(-step);
+    return x * (lost * (1 + keep) / (2 * step)) / (lost * lost + keep * x);
+  }
 
   struct Fixed {
     NoiseTerm term;
     Scalar theta;
   };
-  /// The most likely coefficients of a model near `start`, by default a smoothed spectrum; `fixed` holds one of them at
-  /// a value. With several terms the likelihood can have more than one maximum, mostly far from the truth.
-  [[nodiscard]] Result maximise(NoiseTerms terms, const std::optional<Fixed>& fixed = {},
-                                const Vector* start = nullptr) const {
+
+  /// The most likely coefficients of a model with these times near `start`, by default a smoothed spectrum; `fixed`
+  /// holds one of them at a value. With several terms the likelihood can have more than one maximum, mostly far from
+  /// the truth. Steps that gain less than `least_gain` end the search.
+  [[nodiscard]] Result maximise(NoiseTerms terms, const Times& times = {}, const std::optional<Fixed>& fixed = {},
+                                const Vector* start = nullptr, Scalar least_gain = Scalar(1e-7)) const {
     constexpr int most_steps = 60;
-    std::vector<Scalar> expected(bins_.size());
-    if (start != nullptr) {
-      expect(*start, expected);
-    } else {
-      smooth(expected);
-    }
+    const Work work = prepare(terms, times);
     Result best;
-    best.slopes.assign(ramp_products_.size(), Scalar(0));
-    if (terms.has(NoiseTerm::rate_ramp)) fit_slopes(expected, best);
-    best.theta = start != nullptr ? *start : step(terms, fixed, expected, best.slopes);
-    best.objective = evaluate(terms, best, expected);
+    best.times = times;
+    best.slopes.assign(spectrum_->spectra(), Scalar(0));
+    Column expected;
+    if (start != nullptr) {
+      best.theta = start->cwiseProduct(mask(terms));
+      if (fixed) best.theta[place(fixed->term)] = fixed->theta;
+    } else {
+      expected = smooth();
+      if (work.trend) fit_slopes(work, expected, best);
+      best.theta = step(work, terms, fixed, expected, best.slopes);
+    }
+    best.objective = evaluate(work, best, expected);
     for (int i = 0; i < most_steps; ++i) {
-      const Vector next = step(terms, fixed, expected, best.slopes);
+      const Vector next = step(work, terms, fixed, expected, best.slopes);
       // Towards it as far as that is best: a full step may pass over the top and, of a model that does not describe the
       // signal, end as far from it on the other side.
       Scalar gain = 0;
@@ -125,135 +143,185 @@ class SpectralFit {
       for (Scalar share = 1; share > Scalar(1e-3); share /= 2) {
         Result trial = best;
         trial.theta = best.theta + share * (next - best.theta);
-        trial.objective = evaluate(terms, trial, expected);
+        trial.objective = evaluate(work, trial, expected);
         if (best.objective - trial.objective > gain) {
+          const bool whole = share == 1;
           gain = best.objective - trial.objective;
           further = std::move(trial);
+          // Scoring converges by whole steps next to the top.
+          if (whole && gain < 1) break;
         } else if (gain > 0) {
           break;
         }
       }
       best = std::move(further);
-      expect(best.theta, expected);
-      if (gain < Scalar(1e-9)) break;
+      if (gain < least_gain) break;
+      expected = expect(work, best.theta);
     }
     return best;
   }
 
-  /// How the observed power compares with the expected one from one frequency to another: ratio and its standard error.
-  struct BandFit {
-    Scalar lowest, highest;  ///< Hz
-    Scalar ratio;
-    Scalar standard_error;
-    Scalar white_share;  ///< of the expected power
+  /// The power expected in a bin of the spectrum, for each b_k, and what is there without the trend.
+  struct Comparison {
+    Scalar expected, residual, white;  ///< of one b_k; of all; of one, white noise alone
   };
-  /// Octave by octave from the highest frequency down.
-  [[nodiscard]] std::vector<BandFit> bands(const Result& result) const {
-    std::vector<BandFit> bands;
-    Scalar ratios = 0, count = 0, white = 0;
-    std::size_t end = bins_.size();
-    for (std::size_t i = bins_.size(); i-- > 0;) {
-      const Bin& bin = bins_[i];
-      const Scalar expected = std::max(bin.basis.dot(result.theta), floor());
-      ratios += residual_power(i, result.slopes) / expected;
-      white += bin.count * bin.basis[0] * result.theta[0] / expected;
-      count += bin.count;
-      if (i == 0 || bins_[i - 1].frequency <= bins_[end - 1].frequency / 2) {
-        bands.push_back({bin.frequency, bins_[end - 1].frequency, ratios / count, std::sqrt(2 / count), white / count});
-        end = i;
-        ratios = count = white = 0;
+  [[nodiscard]] std::vector<Comparison> compare(const Result& result, bool trend) const {
+    std::vector<Comparison> all;
+    const auto& bins = spectrum_->bins();
+    all.reserve(bins.size());
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+      const auto& bin = bins[i];
+      Scalar expected = bin.basis.dot(result.theta.template head<Spectrum::powers>());
+      if (result.theta[powers - 1] > 0) {
+        expected += result.theta[powers - 1] * gauss_markov_basis(bin.basis[0], result.times.correlation);
       }
+      Scalar residual = bin.power;
+      if (trend) {
+        const TrendBin sums = trend_of(i, result.times.decay);
+        for (std::size_t a = 0; a < result.slopes.size(); ++a) {
+          residual += result.slopes[a] * (result.slopes[a] * sums.square - 2 * product_of(i, a, sums));
+        }
+      }
+      all.push_back({std::max(expected, floor()), std::max(residual, Scalar(0)), bin.basis[0] * result.theta[0]});
     }
-    return bands;
+    return all;
   }
 
  private:
-  struct Bin {
-    Scalar frequency, count, power, ramp_square;
-    Vector basis;
+  using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+  struct Group {
+    std::size_t begin, end;  // bins
+  };
+  struct Work {
+    Eigen::Array<Scalar, Eigen::Dynamic, powers> basis;
+    bool trend = false;
+    Column trend_square;
+    std::vector<Column> trend_products;  // of each spectrum
+  };
+  struct TrendBin {
+    Scalar odd, even, square;
+    bool ramp;
   };
 
-  [[nodiscard]] Scalar residual_power(std::size_t i, const std::vector<Scalar>& slopes) const {
-    Scalar power = bins_[i].power;
-    for (std::size_t a = 0; a < slopes.size(); ++a) {
-      power += slopes[a] * (slopes[a] * bins_[i].ramp_square - 2 * ramp_products_[a][i]);
+  /// One for the terms that a model has.
+  [[nodiscard]] static Vector mask(NoiseTerms terms) {
+    Vector mask = Vector::Zero();
+    for (const NoiseTerm term : spectral_terms) mask[place(term)] = terms.has(term) ? Scalar(1) : Scalar(0);
+    return mask;
+  }
+
+  [[nodiscard]] const Group& group(Eigen::Index g) const { return groups_[static_cast<std::size_t>(g)]; }
+
+  [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
+    const auto& bin = spectrum_->bins()[i];
+    if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
+    const auto means = spectrum_->trend_means(bin, decay_time);
+    return {means.odd, means.even,
+            bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even, false};
+  }
+  [[nodiscard]] Scalar product_of(std::size_t i, std::size_t a, const TrendBin& trend) const {
+    const auto& sums = spectrum_->trend_sums()[a][i];
+    return trend.ramp ? sums.ramp_product : trend.odd * sums.odd + trend.even * sums.even;
+  }
+
+  [[nodiscard]] Work prepare(NoiseTerms terms, const Times& times) const {
+    Work work;
+    work.basis = basis_;
+    if (terms.has(NoiseTerm::gauss_markov)) {
+      for (Eigen::Index g = 0; g < basis_.rows(); ++g) {
+        work.basis(g, powers - 1) = gauss_markov_basis(basis_(g, 0), times.correlation);
+      }
     }
-    return std::max(power, Scalar(0));
+    work.trend = terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
+    if (!work.trend) return work;
+    work.trend_square.setZero(basis_.rows());
+    work.trend_products.assign(spectrum_->spectra(), Column::Zero(basis_.rows()));
+    for (Eigen::Index g = 0; g < basis_.rows(); ++g) {
+      for (std::size_t i = group(g).begin; i < group(g).end; ++i) {
+        const TrendBin trend = trend_of(i, times.decay);
+        work.trend_square[g] += trend.square * share_[g];
+        for (std::size_t a = 0; a < work.trend_products.size(); ++a) {
+          work.trend_products[a][g] += product_of(i, a, trend) * share_[g];
+        }
+      }
+    }
+    return work;
   }
 
-  void expect(const Vector& theta, std::vector<Scalar>& expected) const {
-    for (std::size_t i = 0; i < bins_.size(); ++i) expected[i] = std::max(bins_[i].basis.dot(theta), floor());
+  [[nodiscard]] Column residual_power(const Work& work, const std::vector<Scalar>& slopes) const {
+    if (!work.trend) return power_;
+    Column power = power_;
+    for (std::size_t a = 0; a < slopes.size(); ++a) {
+      power += slopes[a] * (slopes[a] * work.trend_square - 2 * work.trend_products[a]);
+    }
+    return power.max(Scalar(0));
   }
 
-  /// A first guess of S: means over a third of an octave about each bin.
-  void smooth(std::vector<Scalar>& expected) const {
-    std::size_t begin = 0, end = 0;
+  [[nodiscard]] Column expect(const Work& work, const Vector& theta) const {
+    return (work.basis.matrix() * theta).array().max(floor());
+  }
+
+  /// A first guess of S: means over a third of an octave about each group.
+  [[nodiscard]] Column smooth() const {
+    Column expected(count_.size());
+    Eigen::Index begin = 0, end = 0;
     Scalar power = 0, count = 0;
-    for (std::size_t i = 0; i < bins_.size(); ++i) {
-      while (end < bins_.size() && (end < i + 4 || bins_[end].frequency < bins_[i].frequency * Scalar(1.125))) {
-        power += bins_[end].power;
-        count += bins_[end].count;
+    for (Eigen::Index g = 0; g < count_.size(); ++g) {
+      while (end < count_.size() && (end < g + 4 || frequency_[end] < frequency_[g] * Scalar(1.125))) {
+        power += power_[end];
+        count += count_[end];
         ++end;
       }
-      while (begin + 4 < i && bins_[begin].frequency * Scalar(1.125) < bins_[i].frequency) {
-        power -= bins_[begin].power;
-        count -= bins_[begin].count;
+      while (begin + 4 < g && frequency_[begin] * Scalar(1.125) < frequency_[g]) {
+        power -= power_[begin];
+        count -= count_[begin];
         ++begin;
       }
-      expected[i] = std::max(power / count, floor());
+      expected[g] = std::max(power / count, floor());
     }
+    return expected;
   }
 
-  /// Least squares for the slopes of the ramps: the same standard error for all, since they share S.
-  void fit_slopes(const std::vector<Scalar>& expected, Result& result) const {
-    Scalar information = 0;
-    for (std::size_t i = 0; i < bins_.size(); ++i) information += bins_[i].ramp_square / expected[i];
-    for (std::size_t a = 0; a < ramp_products_.size(); ++a) {
-      Scalar product = 0;
-      for (std::size_t i = 0; i < bins_.size(); ++i) product += ramp_products_[a][i] / expected[i];
-      result.slopes[a] = product / information;
+  /// Least squares for the slopes of the trends: the same standard error for all, since they share S.
+  void fit_slopes(const Work& work, const Column& expected, Result& result) const {
+    const Scalar information = (work.trend_square / expected).sum();
+    for (std::size_t a = 0; a < work.trend_products.size(); ++a) {
+      result.slopes[a] = information > 0 ? (work.trend_products[a] / expected).sum() / information : Scalar(0);
     }
-    result.slope_error = 1 / std::sqrt(information);
+    result.slope_error = information > 0 ? 1 / std::sqrt(information) : std::numeric_limits<Scalar>::infinity();
   }
 
   /// The objective at trial.theta with the best slopes for it, which it sets, as it does `expected`.
-  [[nodiscard]] Scalar evaluate(NoiseTerms terms, Result& trial, std::vector<Scalar>& expected) const {
-    expect(trial.theta, expected);
-    if (terms.has(NoiseTerm::rate_ramp)) fit_slopes(expected, trial);
-    Scalar sum = 0;
-    for (std::size_t i = 0; i < bins_.size(); ++i) {
-      sum += bins_[i].count * std::log(expected[i]) + residual_power(i, trial.slopes) / expected[i];
-    }
-    return sum;
+  [[nodiscard]] Scalar evaluate(const Work& work, Result& trial, Column& expected) const {
+    expected = expect(work, trial.theta);
+    if (work.trend) fit_slopes(work, expected, trial);
+    return (count_ * expected.log() + residual_power(work, trial.slopes) / expected).sum();
   }
 
   /// Weighted least squares of the power for θ ≥ 0, with the variance 2S² of the model.
-  [[nodiscard]] Vector step(NoiseTerms terms, const std::optional<Fixed>& fixed, const std::vector<Scalar>& expected,
-                            const std::vector<Scalar>& slopes) const {
-    Matrix information = Matrix::Zero();
-    Vector product = Vector::Zero();
-    for (std::size_t i = 0; i < bins_.size(); ++i) {
-      const Scalar weight = 1 / (expected[i] * expected[i]);
-      const Vector& basis = bins_[i].basis;
-      information.noalias() += (bins_[i].count * weight) * basis * basis.transpose();
-      product += (residual_power(i, slopes) * weight) * basis;
-    }
+  [[nodiscard]] Vector step(const Work& work, NoiseTerms terms, const std::optional<Fixed>& fixed,
+                            const Column& expected, const std::vector<Scalar>& slopes) const {
+    const Column weight = expected.square().inverse();
+    const auto basis = work.basis.matrix();
+    const Matrix information = basis.transpose() * (count_ * weight).matrix().asDiagonal() * basis;
+    const Vector product = basis.transpose() * (residual_power(work, slopes) * weight).matrix();
     Vector held = Vector::Zero();
     unsigned candidates = 0;
-    for (int j = 0; j < powers; ++j) {
-      const auto term = static_cast<NoiseTerm>(j);
+    for (const NoiseTerm term : spectral_terms) {
       if (fixed && fixed->term == term) {
-        held[j] = fixed->theta;
+        held[place(term)] = fixed->theta;
       } else if (terms.has(term)) {
-        candidates |= 1u << j;
+        candidates |= 1u << place(term);
       }
     }
     return held + non_negative_solution<Scalar, powers>(information, product - information * held, candidates);
   }
 
-  Scalar unit_;
-  std::vector<Bin> bins_;
-  std::vector<std::vector<Scalar>> ramp_products_;  // of each spectrum, by bin
+  const Spectrum* spectrum_;
+  std::vector<Group> groups_;
+  Scalar first_frequency_ = 0;  // of the last group
+  Column count_, power_, share_, frequency_;
+  Eigen::Array<Scalar, Eigen::Dynamic, powers> basis_;
 };
 
 }  // namespace splinertia::allan

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <splinertia/allan/fit_bands.hpp>
+#include <splinertia/allan/interval.hpp>
+#include <splinertia/allan/model_likelihood.hpp>
+#include <utility>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// Which bins of a spectrum are used: all but those that are left out by hand, and those where lines, resonances and
+/// filters make another power than noise terms have.
+template <typename Scalar>
+class BandSelection {
+ public:
+  using Fit = SpectralFit<Scalar>;
+  using Spectrum = typename Fit::Spectrum;
+  using Window = typename FitBands<Scalar>::Window;
+
+  /// A ratio of powers that is off by less is no misfit.
+  static constexpr Scalar tolerance = Scalar(5) / 1000;
+  /// What chance does once in two thousand logs: there are some 5000 windows.
+  static constexpr Scalar most_off = Scalar(21) / 4;
+
+  BandSelection(const Spectrum& spectrum, Scalar highest, const std::vector<Interval<Scalar>>& excluded)
+      : spectrum_(spectrum), included_(spectrum.bins().size(), true) {
+    for (std::size_t i = 0; i < included_.size(); ++i) {
+      const Scalar frequency = spectrum.bins()[i].frequency;
+      if (frequency > highest) included_[i] = false;
+      for (const auto& band : excluded) {
+        if (band.lower <= frequency && frequency <= band.upper) included_[i] = false;
+      }
+    }
+    allowed_ = included_;
+  }
+
+  [[nodiscard]] const std::vector<bool>& included() const { return included_; }
+  [[nodiscard]] std::size_t count() const {
+    return static_cast<std::size_t>(std::count(included_.begin(), included_.end(), true));
+  }
+
+  /// Leaves out what deviates most from a model that each part of the spectrum has the same say in, until nothing does:
+  /// so the octave at the top, which has half of all numbers, does not win against all others.
+  void leave_out_misfits(NoiseTerms terms) {
+    const Scalar most_count = 32 * static_cast<Scalar>(spectrum_.spectra());
+    const bool trend = terms.has(NoiseTerm::rate_ramp);
+    typename Fit::Result last;
+    for (std::size_t i = 0; i < included_.size(); ++i) {
+      const Fit fit(spectrum_, included_, most_count);
+      if (fit.groups() < 2 * static_cast<std::size_t>(Fit::powers)) return;
+      const ModelLikelihood<Scalar> likelihood(fit);
+      last = last.slopes.empty() ? likelihood.maximise(terms) : likelihood.near(terms, last);
+      const Window window = FitBands<Scalar>(fit, last, trend, 6 * tolerance).worst(included_);
+      if (std::abs(window.off) < most_off) break;
+      mark(window.begin, window.end);
+    }
+    widen();
+  }
+
+  /// Leaves out a window and what is about it. Returns whether there was something to leave out.
+  void leave_out(const Window& window) {
+    mark(window.begin, window.end);
+    widen();
+  }
+
+  /// Takes all again but what was left out by hand.
+  void reset() { included_ = allowed_; }
+
+  /// Runs of bins that are left out, up to the highest that is used.
+  [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> gaps() const {
+    std::vector<std::pair<std::size_t, std::size_t>> gaps;
+    const std::size_t end = used_end();
+    for (std::size_t i = 0; i < end; ++i) {
+      if (included_[i]) continue;
+      if (gaps.empty() || gaps.back().second != i) gaps.push_back({i, i});
+      gaps.back().second = i + 1;
+    }
+    return gaps;
+  }
+
+  /// One after the highest bin that is used.
+  [[nodiscard]] std::size_t used_end() const {
+    std::size_t end = included_.size();
+    while (end > 0 && !included_[end - 1]) --end;
+    return end;
+  }
+
+ private:
+  void mark(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) included_[i] = false;
+  }
+
+  /// What bends the power in a band bends it beside it, too, below what shows there: a quarter of the band's width on
+  /// either side, at the upper end of the spectrum an octave. Islands in between go with it.
+  void widen() {
+    constexpr std::size_t island = 6, octave = 45;
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    for (std::size_t i = 0; i < included_.size(); ++i) {
+      if (included_[i] || !allowed_[i]) continue;
+      if (runs.empty() || runs.back().second + island < i) runs.push_back({i, i});
+      runs.back().second = i + 1;
+    }
+    for (const auto& [begin, end] : runs) {
+      const std::size_t margin = std::max<std::size_t>(1, (end - begin) / 4);
+      const bool top = end + island >= included_.size();
+      const std::size_t below = top ? std::max(margin, octave) : margin;
+      mark(begin > below ? begin - below : 0, top ? included_.size() : std::min(end + margin, included_.size()));
+    }
+  }
+
+  const Spectrum& spectrum_;
+  std::vector<bool> included_, allowed_;
+};
+
+}  // namespace splinertia::allan

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <splinertia/allan/chi_square.hpp>
+#include <splinertia/allan/noise_estimates.hpp>
+#include <splinertia/allan/spectral_fit.hpp>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// Where the power of a log agrees with a model and where it does not.
+template <typename Scalar>
+class FitBands {
+ public:
+  using Fit = SpectralFit<Scalar>;
+
+  /// Of a fit's result; a ratio off by less than `tolerance` is no misfit.
+  FitBands(const Fit& fit, const typename Fit::Result& result, bool trend, Scalar tolerance)
+      : bins_(fit.spectrum().bins()), all_(fit.compare(result, trend)), tolerance_(tolerance) {}
+
+  struct Window {
+    std::size_t begin, end;  ///< bins
+    Scalar off;              ///< ratio, in standard deviations as of a normal number; negative: too little power
+  };
+
+  /// The most significant misfit among the included bins: of one bin, or of up to an octave of neighbours.
+  [[nodiscard]] Window worst(const std::vector<bool>& included) const {
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+      if (included[i]) used.push_back(i);
+    }
+    std::vector<Scalar> ratios(used.size() + 1), counts(used.size() + 1);
+    for (std::size_t j = 0; j < used.size(); ++j) {
+      ratios[j + 1] = ratios[j] + all_[used[j]].residual / all_[used[j]].expected;
+      counts[j + 1] = counts[j] + bins_[used[j]].count;
+    }
+    Window worst{0, 0, 0};
+    for (const std::size_t length : {1U, 2U, 3U, 4U, 6U, 8U, 12U, 16U, 24U, 32U, 48U}) {
+      const std::size_t stride = std::max<std::size_t>(1, length / 4);
+      for (std::size_t j = 0; j + length <= used.size(); j += stride) {
+        const Scalar off = deviation(ratios[j + length] - ratios[j], counts[j + length] - counts[j]);
+        if (std::abs(off) > std::abs(worst.off)) worst = {used[j], used[j + length - 1] + 1, off};
+      }
+    }
+    return worst;
+  }
+
+  /// Octaves of included bins from the highest frequency down.
+  struct Octave {
+    BandFit<Scalar> fit;
+    Scalar count;
+  };
+  [[nodiscard]] std::vector<Octave> octaves(const std::vector<bool>& included) const {
+    std::vector<Octave> octaves;
+    Scalar ratios = 0, count = 0, lowest = 0, highest = 0;
+    const auto close = [&] {
+      if (count > 0) octaves.push_back({{{lowest, highest}, ratios / count, std::sqrt(2 / count)}, count});
+      ratios = count = 0;
+    };
+    Scalar top = bins_.back().frequency;
+    for (std::size_t i = bins_.size(); i-- > 0;) {
+      if (bins_[i].frequency <= top / 2) {
+        close();
+        top = bins_[i].frequency;
+      }
+      if (!included[i]) continue;
+      if (count == 0) highest = bins_[i].frequency;
+      lowest = bins_[i].frequency;
+      ratios += all_[i].residual / all_[i].expected;
+      count += bins_[i].count;
+    }
+    close();
+    return octaves;
+  }
+
+  /// The bins [begin, end) together.
+  [[nodiscard]] BandFit<Scalar> band(std::size_t begin, std::size_t end) const {
+    Scalar power = 0, expected = 0, count = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      power += all_[i].residual / bins_[i].basis[0];
+      expected += all_[i].expected * bins_[i].count / bins_[i].basis[0];
+      count += bins_[i].count;
+    }
+    return {{bins_[begin].frequency, bins_[end - 1].frequency}, power / expected, std::sqrt(2 / count)};
+  }
+
+  /// How often chance makes octaves, up and down, deviate from their model at least as much as these, if the model was
+  /// fitted with so many parameters: the sum of the squares of their deviations is all but chi-square.
+  [[nodiscard]] static Scalar probability(const std::vector<Octave>& octaves, Scalar parameters, Scalar tolerance) {
+    Scalar sum = 0;
+    for (const Octave& octave : octaves) {
+      const Scalar off = deviation(octave.fit.ratio * octave.count, octave.count, tolerance);
+      sum += off * off;
+    }
+    const Scalar freedom = std::max(static_cast<Scalar>(octaves.size()) - parameters, Scalar(1));
+    return chi_square_upper_tail(sum, freedom);
+  }
+
+ private:
+  /// The cube root of a mean of squares is all but normal: Wilson and Hilferty, PNAS 17 (1931). Zero within the
+  /// tolerance.
+  [[nodiscard]] static Scalar deviation(Scalar sum, Scalar count, Scalar tolerance) {
+    const Scalar ratio = sum / count;
+    if (std::abs(ratio - 1) <= tolerance) return 0;
+    const Scalar beyond = ratio > 1 ? ratio - tolerance : ratio + tolerance;
+    const Scalar variance = 2 / (9 * count);
+    return (std::cbrt(beyond) - (1 - variance)) / std::sqrt(variance);
+  }
+  [[nodiscard]] Scalar deviation(Scalar sum, Scalar count) const { return deviation(sum, count, tolerance_); }
+
+  const std::vector<typename Fit::Spectrum::Bin>& bins_;
+  std::vector<typename Fit::Comparison> all_;
+  Scalar tolerance_;
+};
+
+}  // namespace splinertia::allan
