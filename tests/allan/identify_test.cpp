@@ -200,7 +200,7 @@ TEST_CASE("A low-pass filter is left out") {
     CHECK_THAT(estimates.K.value, WithinAbs(1e-3, 5 * estimates.K.standard_error()));
     CHECK(estimates.K.detected);
     // Asked for all frequencies, it says that they do not fit.
-    const auto all = identify(filtered, 50, {.highest_frequency = 25});
+    const auto all = identify(filtered, 50, {.exclude_misfits = false});
     CHECK_FALSE(all.fits);
     CHECK(all.highest_frequency == 25);
   }
@@ -223,14 +223,17 @@ TEST_CASE("Three axes that are alike have errors smaller by the root of three") 
   const auto y = simulated({.n = 20'000, .rate = 50, .white = 0.02, .walk = 5e-3, .ramp = 5e-3, .seed = 9});
   const IntegratedSignal<double> signal(y, 50);
   const DifferenceSpectrum<double> spectrum(signal);
-  const auto single = identify(signal), same = identify_pooled<double>({spectrum});
+  // The same three times: that chance deviates alike in all of them is not what chance does.
+  const IdentifyOptions<double> options{.exclude_misfits = false};
+  const auto single = identify(signal, options), same = identify_pooled<double>({spectrum}, options);
   check_scaled(single, same, {1, 1, 1, 1, 1}, 0);
-  const auto pooled = identify_pooled<double>({spectrum, spectrum, spectrum});
+  const auto pooled = identify_pooled<double>({spectrum, spectrum, spectrum}, options);
   for (const NoiseTerm term : {NoiseTerm::white, NoiseTerm::random_walk, NoiseTerm::rate_ramp}) {
     INFO(symbol(term));
-    CHECK(pooled[term].detected);
+    CHECK((pooled[term].detected || pooled[term].possible));
     CHECK_THAT(pooled[term].value, WithinAbs(single[term].value, single[term].standard_error() / 10));
-    CHECK_THAT(pooled[term].standard_error() * std::sqrt(3.0), WithinRel(single[term].standard_error(), 0.03));
+    const double half = (pooled[term].one_sigma.upper - pooled[term].value) * std::sqrt(3.0);
+    CHECK_THAT(half, WithinRel(single[term].one_sigma.upper - single[term].value, 0.05));
   }
   auto turned = y;
   for (double& value : turned) value = 9.81 - value;
@@ -334,7 +337,7 @@ TEST_CASE("Longer strange signals, too") {
   for (const auto& signal : {ramp, steps, end, hum}) CHECK(sound(identify(signal, 200)));
   const auto estimates = identify(ramp, 200);
   CHECK_THAT(estimates.R.value, WithinRel(200.0, 1e-12));
-  CHECK(estimates.R.detected);
+  CHECK(estimates.R.possible);  // what rounding leaves is no noise that these terms describe
   CHECK(estimates.N.interval.upper < 1e-4);
 }
 

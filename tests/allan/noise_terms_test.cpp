@@ -87,7 +87,7 @@ TEST_CASE("Noise terms have symbols and names") {
     CHECK(static_cast<std::size_t>(noise_terms[i]) == i);
     names.insert(std::string(name(noise_terms[i])));
   }
-  CHECK(names.size() == 5);
+  CHECK(names.size() == 7);
   STATIC_CHECK(name(NoiseTerm::random_walk) == "random walk");
 }
 

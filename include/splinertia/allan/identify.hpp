@@ -82,8 +82,12 @@ class Identification {
     }
     const FitBands<Scalar> fit(*fit_, selection_->best().result, has_trend(selection_->best().terms), Scalar(0));
     for (const auto& [begin, past] : bands_.gaps()) result.excluded.push_back(fit.band(begin, past));
+    const auto plausible = selection_->plausible_models();
     for (const NoiseTerm term : noise_terms) {
-      if (options_.candidates.has(term)) estimate(term, descriptions, result);
+      if (!options_.candidates.has(term)) continue;
+      // Slow terms share their power with others in larger models, too, which white and quantization noise hardly do.
+      const bool fast = term == NoiseTerm::white || term == NoiseTerm::quantization;
+      estimate(term, fast ? descriptions : plausible, result);
     }
     return result;
   }
@@ -204,16 +208,16 @@ class Identification {
     }
   }
 
-  void estimate(NoiseTerm term, const std::vector<Model>& descriptions, NoiseEstimates<Scalar>& result) const {
+  void estimate(NoiseTerm term, const std::vector<Model>& models, NoiseEstimates<Scalar>& result) const {
     Estimate<Scalar>& estimate = result[term];
     estimate.detected = selection_->detects(term) && claimable(term, result);
     bool first = true;
     // Beside a walk, a Gauss–Markov bias is one that forgets more slowly than the log can tell.
     const bool walks = term == NoiseTerm::random_walk &&
-                       std::any_of(descriptions.begin(), descriptions.end(), [](const Model& model) {
+                       std::any_of(models.begin(), models.end(), [](const Model& model) {
                          return model.terms.has(NoiseTerm::random_walk);
                        });
-    for (const Model& model : descriptions) {
+    for (const Model& model : models) {
       const bool walk_like =
           walks && model.terms.has(NoiseTerm::gauss_markov) && !model.terms.has(NoiseTerm::random_walk);
       if (!model.terms.has(term) && !walk_like) continue;
@@ -237,6 +241,8 @@ class Identification {
   [[nodiscard]] bool claimable(NoiseTerm term, const NoiseEstimates<Scalar>& result) const {
     if (term == NoiseTerm::white) return true;
     if (!result.fits) return false;
+    // The ends of a line that was left out look like a warm-up.
+    if (term == NoiseTerm::warm_up) return result.excluded.empty();
     const auto& best = selection_->best();
     if (term == NoiseTerm::gauss_markov && best.terms.has(term)) {
       // What is flat below a band that was left out and falls inside it is that band's foot.

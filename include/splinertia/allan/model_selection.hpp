@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <splinertia/allan/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
@@ -13,11 +14,12 @@ namespace splinertia::allan {
 
 /// Which sets of terms describe a log.
 ///
-/// A model costs −2·log-likelihood and 3 for each parameter. What costs up to 6 more than the best is as good a
-/// description as far as this log can tell: a term more has to gain 9, which one that is not there does in one log in
-/// 700 (Wilks; half of that at the border θ = 0), and the truth, if it is one of the models, is among the descriptions
-/// in 99 % of logs (measured: docs/allan.md). So what all descriptions have in common is in the log with that
-/// confidence, and what only some have may be in it or not.
+/// A model costs −2·log-likelihood and 3 for each parameter, 9 for the slope of a trend: a walk of which a log holds few
+/// independent periods looks like a ramp more often than Gaussian theory says. What costs up to 6 more than the best is
+/// as good a description as far as this log can tell: a term more has to gain 9, which one that is not there does in
+/// one log in 700 (Wilks; at the border θ = 0), and the truth, if it is one of the models, is among the descriptions in
+/// 99 % of logs (measured: docs/allan.md). So what all descriptions have in common is in the log with that confidence,
+/// and what only some have may be in it or not.
 template <typename Scalar>
 class ModelSelection {
  public:
@@ -57,8 +59,15 @@ class ModelSelection {
   }
 
   [[nodiscard]] const Likelihood& likelihood() const { return likelihood_; }
-  /// The best, and what describes the log as well, without those that have all terms of another one and more: the
-  /// cheapest first.
+  /// What describes the log as well as the best, the cheapest first.
+  [[nodiscard]] std::vector<Model> plausible_models() const {
+    std::vector<Model> found;
+    std::copy_if(models_.begin(), models_.end(), std::back_inserter(found), [&](const Model& model) {
+      return plausible(model);
+    });
+    return found;
+  }
+  /// Of these, those that do not have all terms of another one and more.
   [[nodiscard]] std::vector<Model> descriptions() const {
     std::vector<Model> found;
     for (const Model& model : models_) {
@@ -76,33 +85,24 @@ class ModelSelection {
                              [](const Model& a, const Model& b) { return a.cost < b.cost; });
   }
 
-  /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk, a
-  /// warm-up that does not settle a ramp.
+  /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk.
   [[nodiscard]] bool detects(NoiseTerm term) const {
     bool itself = false;
     for (const Model& model : models_) {
       if (!plausible(model)) continue;
       if (!covers(model.terms, NoiseTerms{term})) return false;
-      const auto tending = tends_to(term);
-      itself = itself || (model.terms.has(term) && !(tending && model.terms.has(*tending)));
+      itself = itself || (model.terms.has(term) &&
+                          !(term == NoiseTerm::random_walk && model.terms.has(NoiseTerm::gauss_markov)));
     }
     return itself;
   }
 
  private:
-  static constexpr Scalar price = 3, margin = 6;
+  static constexpr Scalar price = 3, trend_price = 9, margin = 6;
 
-  /// What has a term for its limit.
-  [[nodiscard]] static std::optional<NoiseTerm> tends_to(NoiseTerm term) {
-    if (term == NoiseTerm::random_walk) return NoiseTerm::gauss_markov;
-    if (term == NoiseTerm::rate_ramp) return NoiseTerm::warm_up;
-    return std::nullopt;
-  }
-
-  /// Whether the first can do what the second does: it has its terms, or what tends to them.
+  /// Whether the first can do what the second does: it has its terms, or what tends to a walk.
   [[nodiscard]] static bool covers(NoiseTerms terms, NoiseTerms others) {
     if (terms.has(NoiseTerm::gauss_markov)) others = others.without(NoiseTerm::random_walk);
-    if (terms.has(NoiseTerm::warm_up)) others = others.without(NoiseTerm::rate_ramp);
     return others.within(terms);
   }
 
@@ -128,10 +128,10 @@ class ModelSelection {
 
   void add(NoiseTerms terms) {
     const auto spectra = static_cast<Scalar>(likelihood_.fit().spectrum().spectra());
-    Scalar parameters = static_cast<Scalar>(count(terms));
-    if (terms.has(NoiseTerm::gauss_markov)) parameters += 1;
-    if (terms.has(NoiseTerm::rate_ramp)) parameters += spectra - 1;
-    if (terms.has(NoiseTerm::warm_up)) parameters += spectra;
+    const bool trend = terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
+    Scalar prices = price * static_cast<Scalar>(count(terms.without(NoiseTerm::rate_ramp)));
+    if (terms.has(NoiseTerm::gauss_markov)) prices += price;
+    if (trend) prices += trend_price * spectra;
     const Result* simpler = nullptr;
     for (const Model& model : models_) {
       if (model.terms.within(terms) && (simpler == nullptr || model.result.objective < simpler->objective)) {
@@ -139,7 +139,9 @@ class ModelSelection {
       }
     }
     Result result = likelihood_.maximise(terms, simpler);
-    const Scalar cost = result.objective + price * parameters;
+    // One that does not settle is a ramp.
+    if (terms.has(NoiseTerm::warm_up) && result.times.decay > likelihood_.fit().spectrum().duration()) return;
+    const Scalar cost = result.objective + prices;
     best_cost_ = models_.empty() ? cost : std::min(best_cost_, cost);
     models_.push_back({terms, std::move(result), cost});
   }

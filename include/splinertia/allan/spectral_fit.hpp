@@ -118,7 +118,7 @@ class SpectralFit {
   /// holds one of them at a value. With several terms the likelihood can have more than one maximum, mostly far from
   /// the truth. Steps that gain less than `least_gain` end the search.
   [[nodiscard]] Result maximise(NoiseTerms terms, const Times& times = {}, const std::optional<Fixed>& fixed = {},
-                                const Vector* start = nullptr, Scalar least_gain = Scalar(1e-7)) const {
+                                const Vector* start = nullptr, Scalar least_gain = Scalar(1e-9)) const {
     constexpr int most_steps = 60;
     const Work work = prepare(terms, times);
     Result best;
