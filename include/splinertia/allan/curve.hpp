@@ -65,7 +65,8 @@ template <Deviation D>
   }
 }
 
-/// The least alpha for which D converges: steeper noise is taken as this one where degrees of freedom are concerned.
+/// The least alpha for which D converges. Steeper noise that was identified is taken as this one where degrees of
+/// freedom are concerned: it is a ramp or a walk more often than such noise, one walk in seven looks like it.
 template <Deviation D>
 inline constexpr int steepest_power_law = 2 - 2 * D::differences;
 
