@@ -39,7 +39,7 @@ struct TotalSquares {
   switch (alpha) {
     case 2:
       return {6 * n + 8 * m - (even ? 6 : 14),
-              70 * n + 32 * m2 + 112 * m - (even ? 122 : 250) + (even && 2 * m == n ? 4 * m - 2 : 0)};
+              70 * n + 32 * m2 + 112 * m - (even ? 122 : 250) + (2 * m == n ? 4 * m - 2 : 0)};
     case 1:  // all that is reflected at an end has its phase in common, which gives the terms with log m
       return {
           6 / pi * n * (log_m + 1.73246 + 5 / (96 * m2)) + m * (8 / pi * log_m - 0.57666) + (even ? 1.33149 : -2.63781),
@@ -69,9 +69,9 @@ struct TotalSquares {
 /// walk), −3 or −4. At least 1.
 ///
 /// PhaseModel::sampled, at most rates − 1: exact for 2, 0 and −2. Largest relative error against covariance matrices of
-/// 8 to 7000 rates at all m, in brackets for 64 rates and more: 0.7 % (0.2 %) for 1, 2.3 % (0.3 %) for −1, 3.3 % (2 %)
-/// for −3, 0.8 % (0.2 %) for −4. Neither the total nor the Allan variance converges for −3 and −4: these are the
-/// degrees of noise that begins with the log.
+/// 8 to 7000 rates, in brackets for 64 rates and more: 0.8 % (0.2 %) for 1, 0.6 % (0.2 %) for −1, 3.3 % (2 %) for −3,
+/// 0.5 % (0.2 %) for −4. Neither the total nor the Allan variance converges for −3 and −4: these are the degrees of
+/// noise that begins with the log.
 ///
 /// PhaseModel::greenhall_riley: b·rates/m − c where it is published, Howe, Riley (ed.), NIST SP 1065 (2008): (b, c) =
 /// (1.5, 0) for 0, (1.168, 0.222) for −1, (0.927, 0.358) for −2; the others as `sampled`. These are of a continuous
