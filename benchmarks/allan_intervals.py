@@ -6,9 +6,9 @@
 
 The interval depends on the power law alpha of the noise, which has to be identified from few averages there.
   ours      the alpha of PROGRAM: below 30 averages that of the longest time with so many, and at most 0
-  Stable32  its rule as documented: below 30 averages the ratio B1 of the variance of the averages to their Allan
-            variance (Barnes, NBS Technical Note 375, 1969), compared with what it is for each alpha; alpha 1 stands for
-            1 and 2. Below 7 averages, where B1 says little, the alpha of the time before.
+  Stable32  its rule as far as it is known: below 30 averages the ratio B1 of the variance of the averages to their
+            Allan variance (Barnes, NBS Technical Note 375, 1969), compared with what it is for each alpha; alpha 1
+            stands for 1 and 2. Below 7 averages, where B1 says little, the alpha of the time before.
   known     the alpha that the noise has, -2 for white noise with a random walk
 A rule is good if its intervals of 68.3 % hold in 68.3 % of the logs, and those of 95 % in 95 %.
 """
@@ -79,7 +79,7 @@ def b1_alpha(numpy, rates, m):
 
 
 def stable32_alphas(numpy, rates, identified):
-    """As Stable32 does, where `identified` are the alphas by lag-1 autocorrelation of 30 averages and more."""
+    """As Stable32 presumably does, where `identified` are the alphas by lag-1 autocorrelation of 30 averages and more."""
     alphas = []
     for n, alpha in zip(AVERAGES, identified):
         alphas.append(alpha if n >= 30 else b1_alpha(numpy, rates, SAMPLES // n) if n >= 7 else alphas[-1])
