@@ -135,6 +135,19 @@ TEST_CASE("Options of a curve") {
   CHECK_THAT(white.points[0].degrees_of_freedom, WithinRel(2999 / (1.5 - 0.5 / 2999), 1e-12));
 }
 
+TEST_CASE("Degrees of freedom of the total deviation") {
+  const IntegratedSignal<double> signal(scaled(noisy_integers(300, 0, 100, 0), 1.0), 200.0);
+  for (int alpha = -4; alpha <= 2; ++alpha) {
+    for (PhaseModel model : {PhaseModel::sampled, PhaseModel::greenhall_riley}) {
+      const auto result = curve<TotalDeviation>(signal, {.alpha = alpha, .phase_model = model});
+      for (const auto& point : result.points) {
+        INFO("alpha " << alpha << ", m " << point.factor);
+        CHECK(point.degrees_of_freedom == total_degrees_of_freedom(alpha, point.factor, 300, model));
+      }
+    }
+  }
+}
+
 TEST_CASE("Curves of floats, integers, columns and Eigen's vectors are those of double") {
   const Integers integers = noisy_integers(500, 100, 20, 0);
   const auto expected = overlapping(scaled(integers, 1.0), 100.0);

@@ -277,15 +277,6 @@ TEST_CASE("The number of terms") {
   CHECK(number_of_terms({3, true}, std::numeric_limits<Count>::max(), std::numeric_limits<Count>::max()) == 0);
 }
 
-TEST_CASE("Degrees of freedom of the total deviation") {
-  CHECK_THAT(total_degrees_of_freedom(0, 10, 1000), WithinRel(150.0, 1e-15));
-  CHECK_THAT(total_degrees_of_freedom(2, 10, 1000), WithinRel(150.0, 1e-15));
-  CHECK_THAT(total_degrees_of_freedom(-1, 10, 1000), WithinRel(116.578, 1e-14));
-  CHECK_THAT(total_degrees_of_freedom(-2, 10, 1000), WithinRel(92.342, 1e-14));
-  CHECK_THAT(total_degrees_of_freedom(-4, 10, 1000), WithinRel(92.342, 1e-14));
-  CHECK(total_degrees_of_freedom(-2, 1000, 1000) == 1);
-}
-
 TEST_CASE("Intervals are those of Stable32") {
   const std::string folder = SPLINERTIA_SHARED_DATA_DIR "/allan/";
   if (!std::ifstream(folder + "README.md")) {
@@ -331,10 +322,6 @@ TEST_CASE("Intervals are those of Stable32") {
       compare(equivalent_degrees_of_freedom(differences, alpha, m, terms, stride), lower, sigma, upper, 3e-3);
     });
   }
-  rows("stable32_phase_dat/phase_dat_totdev_octave.txt",
-       [&](Count m, Count, int alpha, double lower, double sigma, double upper) {
-         compare(total_degrees_of_freedom(alpha, m, 1000), lower, sigma, upper, 5e-4);
-       });
 }
 
 TEST_CASE("What has no degrees of freedom is refused") {
@@ -351,7 +338,4 @@ TEST_CASE("What has no degrees of freedom is refused") {
   CHECK_THROWS_AS(number_of_terms({0, false}, 1, 10), std::invalid_argument);
   CHECK_THROWS_AS(number_of_terms({2, false}, 0, 10), std::invalid_argument);
   CHECK_THROWS_AS(number_of_terms({2, false}, 1, 10, 0), std::invalid_argument);
-  CHECK_THROWS_AS(total_degrees_of_freedom(3, 1, 10), std::invalid_argument);
-  CHECK_THROWS_AS(total_degrees_of_freedom(0, 0, 10), std::invalid_argument);
-  CHECK_THROWS_AS(total_degrees_of_freedom(0, 1, 0), std::invalid_argument);
 }

@@ -17,6 +17,7 @@
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_type.hpp>
+#include <splinertia/allan/total_degrees_of_freedom.hpp>
 #include <string_view>
 #include <vector>
 
@@ -57,14 +58,15 @@ struct CurveOptions {
 template <Deviation D>
 [[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, PhaseModel model) {
   if constexpr (std::same_as<D, TotalDeviation>) {
-    return total_degrees_of_freedom(alpha, m, n);
+    return total_degrees_of_freedom(alpha, m, n, model);
   } else {
     return equivalent_degrees_of_freedom({D::differences, D::modified}, alpha, m, D::terms(n, m),
                                          D::overlapping ? 1 : m, model);
   }
 }
 
-/// The least alpha for which D converges: steeper noise is taken as this one where degrees of freedom are concerned.
+/// The least alpha for which D converges. Steeper noise that was identified is taken as this one where degrees of
+/// freedom are concerned: it is a ramp or a walk more often than such noise, one walk in seven looks like it.
 template <Deviation D>
 inline constexpr int steepest_power_law = 2 - 2 * D::differences;
 

@@ -267,21 +267,4 @@ class CorrelationSum {
   return std::clamp(most / (1 + 2 * sum), 1.0, most);
 }
 
-/// The equivalent degrees of freedom of the total variance over m samples from `rates` rates: b·rates/m − c, at
-/// least 1. Howe, Riley (ed.), NIST SP 1065 (2008): (b, c) = (1.5, 0) for alpha = 0, (1.168, 0.222) for
-/// −1, (0.927, 0.358) for −2, which are for m <= rates/2. At small m, where the total variance has hardly more
-/// information than Allan's, they are of a continuous phase: at m = 1, 2, 4, 8 they are 2.25, 1.31, 1.08, 1.02 times
-/// the exact value for alpha = 0 and 0.93, 0.90, 0.97, 0.99 times for −2 (from the covariance matrix, 256 rates; it is
-/// that of the overlapping Allan variance and 0 to 2 more). They are not known for alpha > 0 and < −2, for which those
-/// of 0 and −2 are taken.
-[[nodiscard]] inline double total_degrees_of_freedom(int alpha, std::int64_t m, std::int64_t rates) {
-  constexpr const char* name = "total_degrees_of_freedom";
-  require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
-  require(m >= 1, name, "averaging factor m", m, "an integer >= 1");
-  require(rates >= 1, name, "number of rates", rates, "an integer >= 1");
-  const double ratio = static_cast<double>(rates) / static_cast<double>(m);
-  const double degrees = alpha >= 0 ? 1.5 * ratio : alpha == -1 ? 1.168 * ratio - 0.222 : 0.927 * ratio - 0.358;
-  return std::max(1.0, degrees);
-}
-
 }  // namespace splinertia::allan
