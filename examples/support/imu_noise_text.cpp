@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The writing half of imu_noise.hpp. What each estimator takes its values for was read in its source code, and what it
+// recommends in its documentation; docs/noise_densities.md has the table.
+#include <cmath>
+#include <splinertia/imu/noise_densities.hpp>
+#include <splinertia/message.hpp>
+
+#include "support/imu_noise.hpp"
+#include "support/yaml_text.hpp"
+
+using splinertia::message;
+using splinertia::white_noise_sigma;
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+std::string entry(std::string_view key, double value, std::string_view unit) {
+  return message(key, ": ", yaml_number(value), "  # ", unit);
+}
+
+std::string topic_entry(std::string_view key, const ImuNoise& noise) {
+  return message(key, ": ", yaml_string(noise.topic));
+}
+
+// A %YAML:1.0 in the first line is what FileStorage knows its files by.
+const std::string file_storage_header = "%YAML:1.0\n---\n";
+
+Lines kalibr_densities(const ImuNoise& noise) {
+  return {entry("accelerometer_noise_density", noise.accel_noise_density, "m/s^2/sqrt(Hz)"),
+          entry("accelerometer_random_walk", noise.accel_random_walk, "m/s^3/sqrt(Hz)"),
+          entry("gyroscope_noise_density", noise.gyro_noise_density, "rad/s/sqrt(Hz)"),
+          entry("gyroscope_random_walk", noise.gyro_random_walk, "rad/s^2/sqrt(Hz)")};
+}
+
+Lines units_of_densities() {
+  return {"The values are densities of continuous time: a sample has the standard deviation noise density*sqrt(rate),",
+          "and from one sample to the next the bias moves by random walk/sqrt(rate)."};
+}
+
+Lines about(Estimator estimator) {
+  Lines lines;
+  switch (estimator) {
+    case Estimator::kalibr:
+      lines = units_of_densities();
+      lines.insert(
+          lines.end(),
+          {"The values are not inflated. Kalibr's wiki (IMU Noise Model) says that the cheapest sensors may need",
+           "10 times as much and more, because a sensor at rest shows neither scale factors nor temperature."});
+      return lines;
+    case Estimator::openvins:
+      lines = {
+          "This is the kalibr_imu_chain.yaml of OpenVINS (relative_config_imu). The intrinsics are those of an ideal "
+          "IMU."};
+      for (const std::string& line : units_of_densities()) lines.push_back(line);
+      lines.insert(lines.end(),
+                   {"The values are not inflated. OpenVINS' guide (Sensor Calibration, IMU Noise Calibration) suggests",
+                    "10 to 20 times as much, for errors that the model leaves out."});
+      return lines;
+    case Estimator::vins:
+      return {"These lines belong into the configuration file of VINS-Mono or VINS-Fusion.",
+              "The values are of discrete time and hold for update_rate, which VINS does not read: acc_n and gyr_n are",
+              "standard deviations of a sample, noise density*sqrt(rate); acc_w and gyr_w are random walk*sqrt(rate),",
+              "because VINS adds acc_w*dt to the standard deviation of a step of the bias.",
+              "The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about 4 "
+              "times the",
+              "white noise of that data set."};
+    case Estimator::orbslam3:
+      lines = {"These lines belong into the settings file of ORB-SLAM3."};
+      for (const std::string& line : units_of_densities()) lines.push_back(line);
+      lines.insert(
+          lines.end(),
+          {"The values are not inflated. ORB-SLAM3's Calibration_Tutorial.pdf (section 3.2) recommends about 10",
+           "times GyroWalk and AccWalk, for errors that the model leaves out and for the initialization."});
+      return lines;
+    case Estimator::gtsam:
+      return {
+          "These are members of GTSAM's PreintegrationCombinedParams, each to be multiplied by the 3x3 identity.",
+          "The values are squares of densities of continuous time. integrationCovariance and the uncertainty of the",
+          "initial bias are no noise of the sensor and not in this file.",
+          "The values are not inflated. GTSAM's documentation recommends no factor."};
+  }
+  return lines;
+}
+
+Lines kalibr_entries(const ImuNoise& noise) {
+  Lines lines{topic_entry("rostopic", noise), entry("update_rate", noise.update_rate, "Hz")};
+  for (const std::string& line : kalibr_densities(noise)) lines.push_back(line);
+  return lines;
+}
+
+Lines openvins_entries(const ImuNoise& noise) {
+  const auto matrix = [](std::string_view key, int size, int diagonal) {
+    std::string text = message("  ", key, ":");
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j < size; ++j) text += message(j == 0 ? "\n    - [" : ", ", i == j ? diagonal : 0, ".0");
+      text += ']';
+    }
+    return text;
+  };
+  Lines lines{"imu0:", matrix("T_i_b", 4, 1)};
+  for (const std::string& line : kalibr_densities(noise)) lines.push_back("  " + line);
+  lines.insert(lines.end(),
+               {"  " + topic_entry("rostopic", noise), "  time_offset: 0.0",
+                "  " + entry("update_rate", noise.update_rate, "Hz"), "  model: kalibr", matrix("Tw", 3, 1),
+                matrix("R_IMUtoGYRO", 3, 1), matrix("Ta", 3, 1), matrix("R_IMUtoACC", 3, 1), matrix("Tg", 3, 0)});
+  return lines;
+}
+
+Lines vins_entries(const ImuNoise& noise) {
+  const auto per_sample = [&](double density) { return white_noise_sigma(density, noise.update_rate); };
+  return {topic_entry("imu_topic", noise),
+          entry("update_rate", noise.update_rate, "Hz"),
+          entry("acc_n", per_sample(noise.accel_noise_density), "m/s^2"),
+          entry("gyr_n", per_sample(noise.gyro_noise_density), "rad/s"),
+          entry("acc_w", per_sample(noise.accel_random_walk), "m/s^3"),
+          entry("gyr_w", per_sample(noise.gyro_random_walk), "rad/s^2")};
+}
+
+Lines orbslam3_entries(const ImuNoise& noise) {
+  // ORB-SLAM3 before version 1.0 takes only whole numbers for the frequency.
+  const bool whole = std::round(noise.update_rate) == noise.update_rate;
+  return {entry("IMU.NoiseGyro", noise.gyro_noise_density, "rad/s/sqrt(Hz)"),
+          entry("IMU.NoiseAcc", noise.accel_noise_density, "m/s^2/sqrt(Hz)"),
+          entry("IMU.GyroWalk", noise.gyro_random_walk, "rad/s^2/sqrt(Hz)"),
+          entry("IMU.AccWalk", noise.accel_random_walk, "m/s^3/sqrt(Hz)"),
+          whole ? message("IMU.Frequency: ", noise.update_rate, "  # Hz")
+                : entry("IMU.Frequency", noise.update_rate, "Hz")};
+}
+
+Lines gtsam_entries(const ImuNoise& noise) {
+  const auto squared = [](double density) { return density * density; };
+  return {entry("update_rate", noise.update_rate, "Hz, no member: GTSAM takes the step with each sample"),
+          entry("gyroscopeCovariance", squared(noise.gyro_noise_density), "(rad/s)^2/Hz"),
+          entry("accelerometerCovariance", squared(noise.accel_noise_density), "(m/s^2)^2/Hz"),
+          entry("biasOmegaCovariance", squared(noise.gyro_random_walk), "(rad/s^2)^2/Hz"),
+          entry("biasAccCovariance", squared(noise.accel_random_walk), "(m/s^3)^2/Hz")};
+}
+
+Lines entries(Estimator estimator, const ImuNoise& noise) {
+  switch (estimator) {
+    case Estimator::kalibr:
+      return kalibr_entries(noise);
+    case Estimator::openvins:
+      return openvins_entries(noise);
+    case Estimator::vins:
+      return vins_entries(noise);
+    case Estimator::orbslam3:
+      return orbslam3_entries(noise);
+    case Estimator::gtsam:
+      return gtsam_entries(noise);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string imu_noise_text(Estimator estimator, const ImuNoise& noise, const std::vector<std::string>& comments) {
+  const bool file_storage =
+      estimator == Estimator::openvins || estimator == Estimator::vins || estimator == Estimator::orbslam3;
+  std::string text = file_storage ? file_storage_header : "";
+  for (const std::string& comment : comments) text += "# " + escaped_line(comment) + '\n';
+  for (const std::string& line : about(estimator)) text += "# " + line + '\n';
+  for (const std::string& line : entries(estimator, noise)) text += line + '\n';
+  return text;
+}
