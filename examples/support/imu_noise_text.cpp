@@ -58,15 +58,15 @@ Lines about(Estimator estimator) {
                     "10 to 20 times as much, for errors that the model leaves out."});
       return lines;
     case Estimator::vins:
-      return {"These lines belong into the configuration file of VINS-Mono or VINS-Fusion.",
+      return {"These lines belong in the configuration file of VINS-Mono or VINS-Fusion.",
               "The values are of discrete time and hold for update_rate, which VINS does not read: acc_n and gyr_n are",
-              "standard deviations of a sample, noise density*sqrt(rate); acc_w and gyr_w are random walk*sqrt(rate),",
-              "because VINS adds acc_w*dt to the standard deviation of a step of the bias.",
+              "standard deviations of a sample, noise density*sqrt(rate). acc_w and gyr_w are random walk*sqrt(rate), because",
+              "VINS takes acc_w*dt and gyr_w*dt for the standard deviation of a step of the bias.",
               "The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about 4 "
               "times the",
               "white noise of that data set."};
     case Estimator::orbslam3:
-      lines = {"These lines belong into the settings file of ORB-SLAM3."};
+      lines = {"These lines belong in the settings file of ORB-SLAM3."};
       for (const std::string& line : units_of_densities()) lines.push_back(line);
       lines.insert(
           lines.end(),
