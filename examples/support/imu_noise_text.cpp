@@ -60,7 +60,8 @@ Lines about(Estimator estimator) {
     case Estimator::vins:
       return {"These lines belong in the configuration file of VINS-Mono or VINS-Fusion.",
               "The values are of discrete time and hold for update_rate, which VINS does not read: acc_n and gyr_n are",
-              "standard deviations of a sample, noise density*sqrt(rate). acc_w and gyr_w are random walk*sqrt(rate), because",
+              "standard deviations of a sample, noise density*sqrt(rate). acc_w and gyr_w are random walk*sqrt(rate), "
+              "because",
               "VINS takes acc_w*dt and gyr_w*dt for the standard deviation of a step of the bias.",
               "The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about 4 "
               "times the",
