@@ -8,6 +8,7 @@ endif()
 file(REMOVE_RECURSE "${WORK_DIR}")
 file(MAKE_DIRECTORY "${WORK_DIR}")
 
+set(reason "standard output cannot be written")   # what is left of it where more than a buffer was printed
 function(command_of program)   # in <command>, and the name that messages begin with in <name>
   cmake_path(GET program FILENAME name)
   set(command "${program}")
@@ -29,15 +30,15 @@ function(expect_lost how message program shell)
 endfunction()
 function(expect_full program)
   command_of("${program}")
-  expect_lost("full" "^${name}: (standard output: )?No space left on device\n$" "${program}" "\"$@\" > /dev/full" ${ARGN})
+  expect_lost("full" "^${name}: (${reason}|(standard output: )?No space left on device)\n$" "${program}" "\"$@\" > /dev/full" ${ARGN})
 endfunction()
 
 foreach(program IN LISTS PROGRAMS)
   expect_full("${program}" --help)   # a program without options does its work
   command_of("${program}")
-  expect_lost("closed" "^${name}: (standard output: )?Bad file descriptor\n$" "${program}" "\"$@\" >&-" --help)
+  expect_lost("closed" "^${name}: (${reason}|(standard output: )?Bad file descriptor)\n$" "${program}" "\"$@\" >&-" --help)
   # The reader leaves before the program starts. Scripts say nothing to whom has left.
-  set(left "${name}: Broken pipe\n")
+  set(left "${name}: (${reason}|Broken pipe)\n")
   if(program MATCHES "[.]py$")
     set(left "")
   endif()
