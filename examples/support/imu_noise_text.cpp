@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The writing half of imu_noise.hpp. What each estimator takes its values for was read in its source code, and what it
-// recommends in its documentation; docs/noise_densities.md has the table.
+// The writing half of imu_noise.hpp. The units are those of each estimator's source code, the recommendations those of
+// its documentation; docs/noise_densities.md and docs/allan.md have the tables.
 #include <cmath>
 #include <splinertia/imu/noise_densities.hpp>
 #include <splinertia/message.hpp>
@@ -23,8 +23,8 @@ std::string topic_entry(std::string_view key, const ImuNoise& noise) {
   return message(key, ": ", yaml_string(noise.topic));
 }
 
-// A %YAML:1.0 in the first line is what FileStorage knows its files by.
-const std::string file_storage_header = "%YAML:1.0\n---\n";
+// OpenCV's FileStorage knows its files by the first line.
+constexpr std::string_view file_storage_header = "%YAML:1.0\n---\n";
 
 Lines kalibr_densities(const ImuNoise& noise) {
   return {entry("accelerometer_noise_density", noise.accel_noise_density, "m/s^2/sqrt(Hz)"),
@@ -33,55 +33,45 @@ Lines kalibr_densities(const ImuNoise& noise) {
           entry("gyroscope_random_walk", noise.gyro_random_walk, "rad/s^2/sqrt(Hz)")};
 }
 
-Lines units_of_densities() {
-  return {"The values are densities of continuous time: a sample has the standard deviation noise density*sqrt(rate),",
-          "and from one sample to the next the bias moves by random walk/sqrt(rate)."};
-}
+constexpr std::string_view densities_comment =
+    "# The values are densities of continuous time: a sample has the standard deviation noise density*sqrt(rate),\n"
+    "# and from one sample to the next the bias moves by random walk/sqrt(rate).\n";
 
-Lines about(Estimator estimator) {
-  Lines lines;
+std::string about(Estimator estimator) {
   switch (estimator) {
     case Estimator::kalibr:
-      lines = units_of_densities();
-      lines.insert(
-          lines.end(),
-          {"The values are not inflated. Kalibr's wiki (IMU Noise Model) says that the cheapest sensors may need",
-           "10 times as much and more, because a sensor at rest shows neither scale factors nor temperature."});
-      return lines;
+      return message(
+          densities_comment,
+          "# The values are not inflated. Kalibr's wiki (IMU Noise Model) says that the cheapest sensors may\n"
+          "# need 10 times as much and more, because a sensor at rest shows neither errors of its scale factors\n"
+          "# nor of temperature.\n");
     case Estimator::openvins:
-      lines = {
-          "This is the kalibr_imu_chain.yaml of OpenVINS (relative_config_imu). The intrinsics are those of an ideal "
-          "IMU."};
-      for (const std::string& line : units_of_densities()) lines.push_back(line);
-      lines.insert(lines.end(),
-                   {"The values are not inflated. OpenVINS' guide (Sensor Calibration, IMU Noise Calibration) suggests",
-                    "10 to 20 times as much, for errors that the model leaves out."});
-      return lines;
+      return message(
+          "# This is the kalibr_imu_chain.yaml of OpenVINS. The intrinsics are those of an ideal IMU.\n",
+          densities_comment,
+          "# The values are not inflated. OpenVINS' guide (Sensor Calibration, IMU Noise Calibration) suggests\n"
+          "# 10 to 20 times as much, for errors that the model leaves out.\n");
     case Estimator::vins:
-      return {"These lines belong in the configuration file of VINS-Mono or VINS-Fusion.",
-              "The values are of discrete time and hold for update_rate, which VINS does not read: acc_n and gyr_n are",
-              "standard deviations of a sample, noise density*sqrt(rate). acc_w and gyr_w are random walk*sqrt(rate), "
-              "because",
-              "VINS takes acc_w*dt and gyr_w*dt for the standard deviation of a step of the bias.",
-              "The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about 4 "
-              "times the",
-              "white noise of that data set."};
+      return "# These lines belong in the configuration file of VINS-Mono or VINS-Fusion.\n"
+             "# The values are of discrete time and hold for update_rate, which VINS does not read. acc_n and gyr_n "
+             "are\n"
+             "# standard deviations of a sample, noise density*sqrt(rate). acc_w and gyr_w are random "
+             "walk*sqrt(rate),\n"
+             "# because VINS takes acc_w*dt and gyr_w*dt for the standard deviation of a step of the bias.\n"
+             "# The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about\n"
+             "# 4 times the white noise of that data set.\n";
     case Estimator::orbslam3:
-      lines = {"These lines belong in the settings file of ORB-SLAM3."};
-      for (const std::string& line : units_of_densities()) lines.push_back(line);
-      lines.insert(
-          lines.end(),
-          {"The values are not inflated. ORB-SLAM3's Calibration_Tutorial.pdf (section 3.2) recommends about 10",
-           "times GyroWalk and AccWalk, for errors that the model leaves out and for the initialization."});
-      return lines;
+      return message(
+          "# These lines belong in the settings file of ORB-SLAM3.\n", densities_comment,
+          "# The values are not inflated. ORB-SLAM3's Calibration_Tutorial.pdf (section 3.2) recommends about\n"
+          "# 10 times GyroWalk and AccWalk, for errors that the model leaves out and for initialization.\n");
     case Estimator::gtsam:
-      return {
-          "These are members of GTSAM's PreintegrationCombinedParams, each to be multiplied by the 3x3 identity.",
-          "The values are squares of densities of continuous time. integrationCovariance and the uncertainty of the",
-          "initial bias are no noise of the sensor and not in this file.",
-          "The values are not inflated. GTSAM's documentation recommends no factor."};
+      return "# These are members of GTSAM's PreintegrationCombinedParams, each to be multiplied by the 3x3 identity.\n"
+             "# The values are squares of densities of continuous time. integrationCovariance and the uncertainty of\n"
+             "# the initial bias do not follow from them and are not in this file.\n"
+             "# The values are not inflated. GTSAM's documentation recommends no factor.\n";
   }
-  return lines;
+  return {};
 }
 
 Lines kalibr_entries(const ImuNoise& noise) {
@@ -159,9 +149,9 @@ Lines entries(Estimator estimator, const ImuNoise& noise) {
 std::string imu_noise_text(Estimator estimator, const ImuNoise& noise, const std::vector<std::string>& comments) {
   const bool file_storage =
       estimator == Estimator::openvins || estimator == Estimator::vins || estimator == Estimator::orbslam3;
-  std::string text = file_storage ? file_storage_header : "";
+  std::string text(file_storage ? file_storage_header : "");
   for (const std::string& comment : comments) text += "# " + escaped_line(comment) + '\n';
-  for (const std::string& line : about(estimator)) text += "# " + line + '\n';
+  text += about(estimator);
   for (const std::string& line : entries(estimator, noise)) text += line + '\n';
   return text;
 }
