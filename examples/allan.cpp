@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a log of an IMU at rest says about its noise: a log goes in, N, K, B, Q and R with intervals, the curves they
-// are read from and Kalibr's imu.yaml come out. `allan deviation` computes one deviation of one column of numbers.
+// are read from and files for estimators come out. `allan deviation` computes one deviation of one column of numbers.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -22,6 +22,8 @@
 
 #include "support/allan_analysis.hpp"
 #include "support/imu_log.hpp"
+#include "support/imu_noise.hpp"
+#include "support/program.hpp"
 #include "support/python_script.hpp"
 
 using namespace splinertia;
@@ -34,6 +36,7 @@ struct Options {
   std::vector<std::string> terms{"N", "K", "B", "Q", "R"};
   allan::IdentifyOptions<double> identify;
   std::filesystem::path output = ".";
+  std::vector<std::string> for_estimators;
   bool no_plot = false;
   unsigned threads = 1;
 };
@@ -55,6 +58,20 @@ allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
   return terms;
 }
 
+std::vector<std::string> estimator_names() {
+  std::vector<std::string> names;
+  for (const Estimator estimator : estimators) names.emplace_back(option_name(estimator));
+  return names;
+}
+
+std::vector<Estimator> estimators_of(const std::vector<std::string>& names) {
+  std::vector<Estimator> chosen;
+  for (const Estimator estimator : estimators) {
+    if (std::find(names.begin(), names.end(), option_name(estimator)) != names.end()) chosen.push_back(estimator);
+  }
+  return chosen;
+}
+
 void plot(const Options& o) {
   try {
     PythonScript(o.reading.python, "plot_allan.py", {o.output.string()}, PythonScript::Output::shared).finish();
@@ -71,7 +88,7 @@ void analyse_log(Options o) {
   const LogNoise noise = analyse(log, o.identify, o.threads);
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
   print_report(log, noise);
-  write_files(noise, o.output);
+  write_files(noise, o.output, estimators_of(o.for_estimators));
   if (!o.no_plot) plot(o);
 }
 
@@ -162,7 +179,14 @@ void add_options(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--highest-frequency", o.identify.highest_frequency,
                  "ignore what is above [Hz]; default: all that white noise describes");
-  app.add_option("-o,--output", o.output, "folder for curves.csv, noise.csv, imu.yaml (Kalibr), allan.png and .svg")
+  app.add_option("-o,--output", o.output,
+                 "folder for curves.csv, noise.csv, the files for estimators, allan.png and .svg")
+      ->capture_default_str();
+  o.for_estimators = estimator_names();
+  app.add_option("--estimators", o.for_estimators,
+                 "to write a file of N and K for: imu.yaml for Kalibr, else NAME_imu.yaml")
+      ->delimiter(',')
+      ->check(CLI::IsMember(estimator_names()))
       ->capture_default_str();
   app.add_flag("--no-plot", o.no_plot, "no allan.png and .svg, which need Python with matplotlib");
   app.add_option("--threads", o.threads, "axes of a sensor analysed at once; 0: as many as the machine runs at once")
@@ -193,26 +217,18 @@ void add_deviation_options(CLI::App& app, DeviationOptions& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "The noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q and rate "
-      "ramp R\nof each axis, with intervals, or limits of what is not there; the Allan deviations; and an imu.yaml for "
-      "Kalibr."};
+      "ramp R\nof each axis, with intervals, or limits of what is not there; the Allan deviations; and files of N and "
+      "K "
+      "for estimators."};
   Options options;
   add_options(app, options);
   DeviationOptions deviation_options;
   CLI::App* deviation = app.add_subcommand("deviation", "One kind of deviation of a column of numbers, as a table.");
   add_deviation_options(*deviation, deviation_options);
-  try {
-    app.parse(argc, argv);
+  return run_program("allan", app, argc, argv, [&] {
     if (deviation->parsed() != options.log.empty()) {
       throw std::invalid_argument("expected one log, or deviation (--help)");
     }
     deviation->parsed() ? print_deviation(deviation_options) : analyse_log(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const ScriptFailed&) {
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "allan: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  });
 }

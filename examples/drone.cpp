@@ -10,6 +10,8 @@
 #include <splinertia/spline/spline.hpp>
 #include <vector>
 
+#include "support/exit_code.hpp"
+
 using namespace splinertia;
 
 namespace {
@@ -58,8 +60,10 @@ void fly(const char* name) {
 }  // namespace
 
 int main() {
-  std::printf("A turn of %g m at %g m/s: %.4f m/s^2 along z is what keeps it up and round\n", radius, speed,
-              std::hypot(9.80665, speed * yaw_rate));
-  fly<4>("cubic");
-  fly<6>("quintic");
+  return run_program("drone", [] {
+    std::printf("A turn of %g m at %g m/s: %.4f m/s^2 along z is what keeps it up and round\n", radius, speed,
+                std::hypot(9.80665, speed * yaw_rate));
+    fly<4>("cubic");
+    fly<6>("quintic");
+  });
 }

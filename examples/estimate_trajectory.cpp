@@ -16,6 +16,8 @@
 #include <splinertia/splinertia.hpp>
 #include <vector>
 
+#include "support/program.hpp"
+
 using namespace splinertia;
 
 namespace {
@@ -292,15 +294,8 @@ int main(int argc, char** argv) {
       "truth before and after."};
   Options options;
   add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program("estimate_trajectory", app, argc, argv, [&] {
     check(options);
     run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "estimate_trajectory: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  });
 }

@@ -15,6 +15,7 @@
 
 #include "support/allan_analysis.hpp"
 #include "support/imu_log.hpp"
+#include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
 
@@ -122,16 +123,7 @@ int main(int argc, char** argv) {
   app.add_flag("--no-plot", options.no_plot, "no allan.png and .svg, which need Python with matplotlib");
   app.add_option("--python", options.python, "with rosbags; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str();
-  try {
-    app.parse(argc, argv);
+  return run_program("known_noise", app, argc, argv, [&] {
     for (const KnownImu& known : known_imus) run(known, options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const ScriptFailed&) {
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "known_noise: %s\n", error.what());
-    return 2;
-  }
-  return 0;
+  });
 }

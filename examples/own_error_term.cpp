@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <splinertia/splinertia.hpp>
 
+#include "support/exit_code.hpp"
+
 using namespace splinertia;
 
 struct Sticking {
@@ -26,14 +28,16 @@ struct Sticking {
 };
 
 int main() {
-  const Imu imu{ErrorModel{RandomWalk{5e-5}, WhiteNoise{0.015}, Sticking{0.01}}, ErrorModel{WhiteNoise{0.019}}};
-  std::fputs(describe(imu).c_str(), stdout);
+  return run_program("own_error_term", [] {
+    const Imu imu{ErrorModel{RandomWalk{5e-5}, WhiteNoise{0.015}, Sticking{0.01}}, ErrorModel{WhiteNoise{0.019}}};
+    std::fputs(describe(imu).c_str(), stdout);
 
-  int repeated = 0;
-  Eigen::Vector3d last = Eigen::Vector3d::Zero();
-  for (const ImuReading& r : simulate(Ellipse<>{}, imu, {.rate = 200, .seed = 42, .start = 0.0, .end = 60.0})) {
-    repeated += r.gyro == last ? 1 : 0;
-    last = r.gyro;
-  }
-  std::printf("%d of 12001 gyroscope readings repeat the one before\n", repeated);
+    int repeated = 0;
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();
+    for (const ImuReading& r : simulate(Ellipse<>{}, imu, {.rate = 200, .seed = 42, .start = 0.0, .end = 60.0})) {
+      repeated += r.gyro == last ? 1 : 0;
+      last = r.gyro;
+    }
+    std::printf("%d of 12001 gyroscope readings repeat the one before\n", repeated);
+  });
 }

@@ -10,6 +10,8 @@
 #include <splinertia/spline/spline.hpp>
 #include <vector>
 
+#include "support/exit_code.hpp"
+
 using Complex = std::complex<double>;
 
 struct Similarity {
@@ -86,41 +88,43 @@ using splinertia::increment;
 static_assert(splinertia::LieGroupWithJacobians<Similarity>);
 
 int main() {
-  // Control points on one twist, X exp(i twist): the curve is then that motion itself, which can be checked.
-  using Sim2 = GroupTraits<Similarity>;
-  const Eigen::Vector4d twist(1, 0.5, 0.1, 0.4);  // per second
-  std::vector<Similarity> points;
-  for (int i = 0; i < 6; ++i) points.push_back(Sim2::exp(0.5 * i * twist));
-  splinertia::Spline<Similarity, 4> curve({.start = 0.5, .interval = 0.5}, points);
-  const auto m = curve.at<2>(1.3);
-  std::printf("scale %.6f, angle %.6f rad at (%.6f, %.6f)\n", std::abs(m.value.a), std::arg(m.value.a),
-              m.value.b.real(), m.value.b.imag());
-  std::printf("velocity %.6f %.6f %.6f %.6f\n", m.velocity[0], m.velocity[1], m.velocity[2], m.velocity[3]);
-  std::printf("constant twist: value off by %.0e, velocity by %.0e\n",
-              increment(Sim2::exp(1.3 * twist), m.value).norm(), (m.velocity - twist).norm());
+  return run_program("own_group", [] {
+    // Control points on one twist, X exp(i twist): the curve is then that motion itself, which can be checked.
+    using Sim2 = GroupTraits<Similarity>;
+    const Eigen::Vector4d twist(1, 0.5, 0.1, 0.4);  // per second
+    std::vector<Similarity> points;
+    for (int i = 0; i < 6; ++i) points.push_back(Sim2::exp(0.5 * i * twist));
+    splinertia::Spline<Similarity, 4> curve({.start = 0.5, .interval = 0.5}, points);
+    const auto m = curve.at<2>(1.3);
+    std::printf("scale %.6f, angle %.6f rad at (%.6f, %.6f)\n", std::abs(m.value.a), std::arg(m.value.a),
+                m.value.b.real(), m.value.b.imag());
+    std::printf("velocity %.6f %.6f %.6f %.6f\n", m.velocity[0], m.velocity[1], m.velocity[2], m.velocity[3]);
+    std::printf("constant twist: value off by %.0e, velocity by %.0e\n",
+                increment(Sim2::exp(1.3 * twist), m.value).norm(), (m.velocity - twist).norm());
 
-  // Any curve: derivatives and Jacobians against central differences.
-  points[2] = Sim2::compose(points[2], Sim2::exp({0.3, -0.2, 0.1, -0.5}));
-  curve.set_control_point(2, points[2]);
-  const double t = 1.3, h = 1e-5;
-  const auto before = curve.at<1>(t - h), after = curve.at<1>(t + h);
-  const auto here = curve.linearize<2>(t);
-  const double velocity_error = (increment(before.value, after.value) / (2 * h) - here.velocity).norm();
-  const double acceleration_error = ((after.velocity - before.velocity) / (2 * h) - here.acceleration).norm();
+    // Any curve: derivatives and Jacobians against central differences.
+    points[2] = Sim2::compose(points[2], Sim2::exp({0.3, -0.2, 0.1, -0.5}));
+    curve.set_control_point(2, points[2]);
+    const double t = 1.3, h = 1e-5;
+    const auto before = curve.at<1>(t - h), after = curve.at<1>(t + h);
+    const auto here = curve.linearize<2>(t);
+    const double velocity_error = (increment(before.value, after.value) / (2 * h) - here.velocity).norm();
+    const double acceleration_error = ((after.velocity - before.velocity) / (2 * h) - here.acceleration).norm();
 
-  double jacobian_error = 0;
-  for (std::size_t j = 0; j < 4; ++j) {  // the control points that shape the curve here, from here.first on
-    const std::size_t i = here.first + j;
-    for (int k = 0; k < 4; ++k) {
-      const auto velocity_with = [&](double step) -> Eigen::Vector4d {
-        curve.set_control_point(i, Sim2::compose(points[i], Sim2::exp(step * Eigen::Vector4d::Unit(k))));
-        return curve.at<1>(t).velocity;
-      };
-      const Eigen::Vector4d column = (velocity_with(h) - velocity_with(-h)) / (2 * h);
-      jacobian_error = std::max(jacobian_error, (here.velocity_jacobian[j].col(k) - column).norm());
+    double jacobian_error = 0;
+    for (std::size_t j = 0; j < 4; ++j) {  // the control points that shape the curve here, from here.first on
+      const std::size_t i = here.first + j;
+      for (int k = 0; k < 4; ++k) {
+        const auto velocity_with = [&](double step) -> Eigen::Vector4d {
+          curve.set_control_point(i, Sim2::compose(points[i], Sim2::exp(step * Eigen::Vector4d::Unit(k))));
+          return curve.at<1>(t).velocity;
+        };
+        const Eigen::Vector4d column = (velocity_with(h) - velocity_with(-h)) / (2 * h);
+        jacobian_error = std::max(jacobian_error, (here.velocity_jacobian[j].col(k) - column).norm());
+      }
+      curve.set_control_point(i, points[i]);
     }
-    curve.set_control_point(i, points[i]);
-  }
-  std::printf("differences: velocity off by %.0e, acceleration by %.0e, Jacobians of the velocity by %.0e\n",
-              velocity_error, acceleration_error, jacobian_error);
+    std::printf("differences: velocity off by %.0e, acceleration by %.0e, Jacobians of the velocity by %.0e\n",
+                velocity_error, acceleration_error, jacobian_error);
+  });
 }

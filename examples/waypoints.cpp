@@ -10,6 +10,8 @@
 #include <splinertia/spline/spline.hpp>
 #include <vector>
 
+#include "support/exit_code.hpp"
+
 #ifdef SOPHUS_COMMON_HPP
 #error "a curve in R^n should not need Sophus"
 #endif
@@ -40,21 +42,23 @@ Curve through(const std::vector<Eigen::Vector2d>& waypoints) {
 }  // namespace
 
 int main() {
-  const std::vector<Eigen::Vector2d> waypoints{{0, 0}, {4, 0}, {6, 3}, {4, 6}, {0, 6}};
-  const Curve curve = through(waypoints);
-  std::printf("%zu waypoints, %zu control points, %.0f s\n", waypoints.size(), curve.control_points().size(),
-              curve.end());
-  std::printf("t [s]  position [m]       speed [m/s]  acceleration [m/s^2]\n");
-  double largest = 0, nearest = 1e9;
-  for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const auto m = curve.at<2>(interval * static_cast<double>(i));
-    std::printf("%4.1f   %8.5f %8.5f  %11.4f  %20.4f\n", interval * static_cast<double>(i), m.value.x(), m.value.y(),
-                m.velocity.norm(), m.acceleration.norm());
-    largest = std::max(largest, (m.value - waypoints[i]).norm());
-    if (i > 0 && i + 1 < waypoints.size()) {
-      nearest = std::min(nearest, (curve.control_points()[i + 1] - waypoints[i]).norm());
+  return run_program("waypoints", [] {
+    const std::vector<Eigen::Vector2d> waypoints{{0, 0}, {4, 0}, {6, 3}, {4, 6}, {0, 6}};
+    const Curve curve = through(waypoints);
+    std::printf("%zu waypoints, %zu control points, %.0f s\n", waypoints.size(), curve.control_points().size(),
+                curve.end());
+    std::printf("t [s]  position [m]       speed [m/s]  acceleration [m/s^2]\n");
+    double largest = 0, nearest = 1e9;
+    for (std::size_t i = 0; i < waypoints.size(); ++i) {
+      const auto m = curve.at<2>(interval * static_cast<double>(i));
+      std::printf("%4.1f   %8.5f %8.5f  %11.4f  %20.4f\n", interval * static_cast<double>(i), m.value.x(), m.value.y(),
+                  m.velocity.norm(), m.acceleration.norm());
+      largest = std::max(largest, (m.value - waypoints[i]).norm());
+      if (i > 0 && i + 1 < waypoints.size()) {
+        nearest = std::min(nearest, (curve.control_points()[i + 1] - waypoints[i]).norm());
+      }
     }
-  }
-  std::printf("the curve is within %.0e m of its waypoints, its inner control points are %.2f m and more from them\n",
-              largest, nearest);
+    std::printf("the curve is within %.0e m of its waypoints, its inner control points are %.2f m and more from them\n",
+                largest, nearest);
+  });
 }

@@ -10,6 +10,8 @@
 #include <splinertia/spline/spline.hpp>
 #include <vector>
 
+#include "support/exit_code.hpp"
+
 using splinertia::GroupTraits;
 using splinertia::Spline;
 
@@ -38,24 +40,26 @@ std::vector<Sophus::SE2d> drive(const std::vector<Command>& commands) {
 }  // namespace
 
 int main() {
-  const Curve curve({.start = 0, .interval = interval}, drive({{0.5, 0, 8}, {0.5, 0.8, 16}, {0.5, 0, 8}}));
-  std::printf("A control point is %zu bytes, %d degrees of freedom\n\n", sizeof(Sophus::SE2d),
-              splinertia::DofOf<Sophus::SE2d>);
+  return run_program("wheeled_robot", [] {
+    const Curve curve({.start = 0, .interval = interval}, drive({{0.5, 0, 8}, {0.5, 0.8, 16}, {0.5, 0, 8}}));
+    std::printf("A control point is %zu bytes, %d degrees of freedom\n\n", sizeof(Sophus::SE2d),
+                splinertia::DofOf<Sophus::SE2d>);
 
-  std::printf("t [s]   x [m]   y [m]  heading [deg]   vx [m/s]   vy [m/s]  omega [rad/s]   wheels [m/s]\n");
-  double slip = 0, slip_in_turn = 0;
-  for (int i = 0; i <= 580; ++i) {
-    const double t = 0.01 * i;
-    const auto m = curve.at<1>(t);
-    const double vx = m.velocity[0], vy = m.velocity[1], omega = m.velocity[2];
-    slip = std::max(slip, std::abs(vy));
-    if (t > 2 && t < 4) slip_in_turn = std::max(slip_in_turn, std::abs(vy));
-    if (i % 116 == 0) {
-      const auto& p = m.value.translation();
-      std::printf("%5.2f  %6.3f  %6.3f  %13.1f  %9.4f  %9.4f  %13.4f   %.3f %.3f\n", t, p.x(), p.y(),
-                  m.value.so2().log() * 180 / 3.14159265358979323846, vx, vy, omega, vx - omega * wheel_distance / 2,
-                  vx + omega * wheel_distance / 2);
+    std::printf("t [s]   x [m]   y [m]  heading [deg]   vx [m/s]   vy [m/s]  omega [rad/s]   wheels [m/s]\n");
+    double slip = 0, slip_in_turn = 0;
+    for (int i = 0; i <= 580; ++i) {
+      const double t = 0.01 * i;
+      const auto m = curve.at<1>(t);
+      const double vx = m.velocity[0], vy = m.velocity[1], omega = m.velocity[2];
+      slip = std::max(slip, std::abs(vy));
+      if (t > 2 && t < 4) slip_in_turn = std::max(slip_in_turn, std::abs(vy));
+      if (i % 116 == 0) {
+        const auto& p = m.value.translation();
+        std::printf("%5.2f  %6.3f  %6.3f  %13.1f  %9.4f  %9.4f  %13.4f   %.3f %.3f\n", t, p.x(), p.y(),
+                    m.value.so2().log() * 180 / 3.14159265358979323846, vx, vy, omega, vx - omega * wheel_distance / 2,
+                    vx + omega * wheel_distance / 2);
+      }
     }
-  }
-  std::printf("\nsideways at most %.4f m/s where the turn begins and ends, %.0e m/s within it\n", slip, slip_in_turn);
+    std::printf("\nsideways at most %.4f m/s where the turn begins and ends, %.0e m/s within it\n", slip, slip_in_turn);
+  });
 }

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "support/error_yaml.hpp"
-#include "support/kalibr.hpp"
+#include "support/imu_noise.hpp"
 
 using namespace splinertia;
 
@@ -41,13 +41,15 @@ void add_seed_option(CLI::App& app, std::uint64_t& seed) {
 }
 
 void add_sensor_options(CLI::App& app, Options& o) {
-  app.add_option("--rate", o.rate, "IMU samples a second [Hz]; default: that of the Kalibr file, else 200");
+  app.add_option("--rate", o.rate, "IMU samples a second [Hz]; default: that of --imu-noise, else 200");
   auto* preset =
       app.add_option("--preset", o.preset, "a known IMU")->check(CLI::IsMember(preset_imus()))->capture_default_str();
   auto* errors = app.add_option("--errors", o.errors, "YAML file that lists its errors, see --help-errors");
-  auto* kalibr = app.add_option("--kalibr", o.kalibr, "Kalibr imu.yaml with its noise and rate");
-  preset->excludes(errors)->excludes(kalibr);
-  errors->excludes(kalibr);
+  auto* imu_noise = app.add_option("--imu-noise,--kalibr", o.imu_noise,
+                                   "its noise and rate, from a file of Kalibr, OpenVINS, VINS-Mono, VINS-Fusion, "
+                                   "ORB-SLAM3, or for GTSAM as allan writes it");
+  preset->excludes(errors)->excludes(imu_noise);
+  errors->excludes(imu_noise);
   app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)], in place of that of the above");
   app.add_option("--gyro-walk", o.gyro_walk, "random walk density [rad/s^2/sqrt(Hz)], likewise");
   app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)], likewise");
@@ -92,8 +94,8 @@ Sensor sensor_of(const Options& o) {
   Sensor sensor;
   if (!o.errors.empty()) {
     sensor.errors = read_error_yaml(o.errors);
-  } else if (!o.kalibr.empty()) {
-    const KalibrImu imu = read_kalibr(o.kalibr);
+  } else if (!o.imu_noise.empty()) {
+    const ImuNoise imu = read_imu_noise(o.imu_noise, o.rate);
     sensor.errors = errors_of(imu);
     sensor.rate = imu.update_rate;
   } else {

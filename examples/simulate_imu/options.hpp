@@ -19,9 +19,9 @@ struct Options {
   bool keep_holes = false;
   std::string motion = "ellipse";
   double duration = 20;
-  std::optional<double> rate;  // default: that of the Kalibr file, else 200
+  std::optional<double> rate;  // default: that of the file imu_noise, else 200
   std::string preset = "course";
-  std::filesystem::path errors, kalibr;
+  std::filesystem::path errors, imu_noise;
   std::optional<double> gyro_noise, gyro_walk, accel_noise, accel_walk;
   GravityOption gravity;
   std::uint64_t seed = 0;

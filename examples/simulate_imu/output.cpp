@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "support/formatted.hpp"
-#include "support/kalibr.hpp"
+#include "support/imu_noise.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -30,8 +30,8 @@ Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& 
       groundtruth_csv_(folder_ / "groundtruth.csv"),
       poses_tum_(folder_ / "poses.tum") {
   if (o.npy) imu_npy_.emplace(folder_ / "imu.npy");
-  if (const auto noise = kalibr_noise(sensor.errors, sensor.rate)) {
-    imu_yaml_.emplace(folder_ / "imu.yaml").append(kalibr_text(*noise));
+  if (const auto noise = imu_noise_of(sensor.errors, sensor.rate)) {
+    imu_yaml_.emplace(folder_ / "imu.yaml").append(imu_noise_text(Estimator::kalibr, *noise));
   }
   if (!holes.empty()) gaps_csv_.emplace(folder_ / "gaps.csv").append(holes_csv(holes));
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <optional>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/imu/noise_densities.hpp>
@@ -16,6 +17,8 @@
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "support/formatted.hpp"
 
 using namespace splinertia;
 using allan::NoiseTerm;
@@ -99,17 +102,6 @@ void write_noise(AtomicFile& file, const LogNoise& noise) {
       }
     }
   }
-}
-
-std::string imu_yaml(const KalibrNoise& kalibr, const LogNoise& noise) {
-  std::string text = message(
-      "# Noise of ", noise.log, ", at rest for ", noise.duration, " s.\n",
-      "# All are densities of continuous time. A sample has the standard deviation noise_density*sqrt(rate), the\n"
-      "# bias moves by random_walk/sqrt(rate) from one to the next.\n"
-      "# An estimator needs more than a sensor at rest shows, for vibration, temperature, scale factors, timing:\n"
-      "# for the cheapest sensors 10 times as much and more, says Kalibr's wiki (IMU noise model).\n");
-  for (const std::string& comment : kalibr.comments) text += "# " + comment + '\n';
-  return text + kalibr_text(kalibr.imu);
 }
 
 /// A coefficient in units of data sheets; "" if they have none.
@@ -278,9 +270,11 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
   return result;
 }
 
-std::optional<KalibrNoise> kalibr_noise(const LogNoise& noise) {
-  KalibrNoise result;
+std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
+  EstimatorNoise result;
+  result.comments.push_back(message("Noise of ", noise.log, ", at rest for ", noise.duration, " s."));
   result.imu.update_rate = noise.rate;
+  if (noise.topic) result.imu.topic = *noise.topic;
   int found = 0;
   for (const SensorNoise& sensor : noise.sensors) {
     const bool gyro = sensor.kind == SensorKind::gyro;
@@ -304,24 +298,28 @@ std::optional<KalibrNoise> kalibr_noise(const LogNoise& noise) {
   return result;
 }
 
-void write_files(const LogNoise& noise, const std::filesystem::path& folder) {
+void write_files(const LogNoise& noise, const std::filesystem::path& folder,
+                 const std::vector<Estimator>& for_estimators) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(message(folder.string(), ": cannot create this folder: ", error.message()));
   AtomicFile curves(folder / "curves.csv"), table(folder / "noise.csv");
-  std::optional<AtomicFile> yaml;
+  std::deque<AtomicFile> files;  // which cannot be moved
+  std::vector<std::string> names{"curves.csv", "noise.csv"};
   write_curves(curves, noise);
   write_noise(table, noise);
-  if (const auto kalibr = kalibr_noise(noise)) {
-    yaml.emplace(folder / "imu.yaml");
-    yaml->append(imu_yaml(*kalibr, noise));
+  const auto found = estimator_noise(noise);
+  if (found) {
+    for (const Estimator estimator : for_estimators) {
+      names.emplace_back(file_name(estimator));
+      files.emplace_back(folder / names.back()).append(imu_noise_text(estimator, found->imu, found->comments));
+    }
   }
   curves.commit();
   table.commit();
-  if (yaml) yaml->commit();
-  std::printf("wrote curves.csv%s to %s\n", yaml ? ", noise.csv and imu.yaml" : " and noise.csv",
-              folder.string().c_str());
-  if (!yaml) std::puts("no imu.yaml: Kalibr wants N and K of both sensors");
+  for (AtomicFile& file : files) file.commit();
+  std::printf("wrote %s to %s\n", list_of(names).c_str(), folder.string().c_str());
+  if (!found) std::puts("no files for estimators: they want N and K of both sensors");
 }
 
 void print_report(const ImuLog& log, const LogNoise& noise) {

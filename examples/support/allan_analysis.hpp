@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/imu_log.hpp"
-#include "support/kalibr.hpp"
+#include "support/imu_noise.hpp"
 
 struct AxisNoise {
   char name;  ///< x, y, z
@@ -30,6 +30,7 @@ struct LogNoise {
   double duration;  ///< s
   splinertia::allan::IdentifyOptions<double> options;
   std::vector<SensorNoise> sensors;
+  std::optional<std::string> topic{};  ///< of the ROS bag, if it is one
 };
 
 /// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all.
@@ -38,17 +39,19 @@ struct LogNoise {
 [[nodiscard]] LogNoise analyse(const ImuLog& log, const splinertia::allan::IdentifyOptions<double>& options,
                                unsigned threads = 1);
 
-/// The four densities that Kalibr wants, and a line about each that needs one: those of all axes together, or of the
+/// The four densities that estimators want, and a line about each that needs one: those of all axes together, or of the
 /// noisiest axis if the axes differ by more than their intervals; of what is not detected the upper limit, because
-/// Kalibr refuses zero. Nothing if there are not both sensors, or not N and K among the candidates.
-struct KalibrNoise {
-  KalibrImu imu;
+/// estimators refuse zero. Nothing if there are not both sensors, or not N and K among the candidates.
+struct EstimatorNoise {
+  ImuNoise imu;
   std::vector<std::string> comments;
 };
-[[nodiscard]] std::optional<KalibrNoise> kalibr_noise(const LogNoise& noise);
+[[nodiscard]] std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise);
 
-/// Writes curves.csv, noise.csv and, if there is one, imu.yaml (kalibr_noise) to a folder, which is made: all or none.
-void write_files(const LogNoise& noise, const std::filesystem::path& folder);
+/// Writes curves.csv, noise.csv and, if there is an estimator_noise, a file for each of the estimators (imu.yaml, ...)
+/// to a folder, which is made: all or none.
+void write_files(const LogNoise& noise, const std::filesystem::path& folder,
+                 const std::vector<Estimator>& for_estimators = {estimators.begin(), estimators.end()});
 
 /// Prints tables and what they mean.
 void print_report(const ImuLog& log, const LogNoise& noise);

@@ -12,6 +12,8 @@ import sys
 import tempfile
 import time
 
+import standard_output
+
 SUFFIXES = {"ros1": ".bag", "ros2-mcap": ".mcap", "ros2-sqlite": ".db3"}
 
 
@@ -128,7 +130,8 @@ def unreadable(path, error):
 
 
 def run(script, command, arguments, output):
-    """Runs command(arguments, progress) and exits: 2 with one line about what is wrong, where something is."""
+    """Runs command(arguments, progress) and exits: 2 with one line about what is wrong, where something is. An OSError of
+    the standard output goes on to standard_output.checked()."""
     gc.disable()  # nothing here makes cycles, and looking for them among the index of a large bag takes a fifth of the time
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that temporaries go
     try:
@@ -137,6 +140,8 @@ def run(script, command, arguments, output):
     except Failure as failure:
         problem = str(failure)
     except OSError as error:
+        if output == standard_output.NAME and error.filename is None:
+            raise
         problem = f"{error.filename or output}: {error.strerror or error}"
     except sqlite3.Error as error:
         problem = f"{output}: {error}"

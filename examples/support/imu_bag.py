@@ -15,10 +15,10 @@ import math
 import os
 import pathlib
 import re
-import signal
 import struct
 import sys
 
+import standard_output
 from bag_files import SUFFIXES, Failure, choose_topic, guarded, import_rosbags, opened, replacing, run
 
 MESSAGE = "sensor_msgs/msg/Imu"
@@ -175,7 +175,6 @@ def write_csv(arguments, progress):
     samples = itertools.chain([next(samples)], samples)  # most of what can be wrong is found before anything is written
     with contextlib.ExitStack() as stack:
         if arguments.output == "-":
-            signal.signal(signal.SIGPIPE, signal.SIG_DFL)
             file = sys.stdout
         else:
             target = pathlib.Path(arguments.output).resolve()
@@ -207,9 +206,10 @@ def main():
     command.add_argument("output", help="csv to write, - for the standard output")
     command.add_argument("--topic", help="needed if there are several with IMU messages")
     command.set_defaults(run=write_csv)
-    arguments = parser.parse_args()
-
-    run("imu_bag.py", arguments.run, arguments, "standard output" if arguments.output == "-" else arguments.output)
+    with standard_output.checked("imu_bag.py"):
+        arguments = parser.parse_args()
+        output = standard_output.NAME if arguments.output == "-" else arguments.output
+        run("imu_bag.py", arguments.run, arguments, output)
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 import pathlib
 
 import plotting
+import standard_output
 from plotting import Failure
 
 ERRORS = ("#timestamp [ns],reference_x [m],reference_y [m],reference_z [m],estimate_x [m],estimate_y [m],estimate_z [m],"
@@ -116,10 +117,11 @@ def main():
     arguments.add_argument("errors", type=pathlib.Path, help="that compare_trajectories --errors has written")
     arguments.add_argument("picture", type=pathlib.Path, help="to be written: .png or .svg")
     arguments.add_argument("--title", default="", help="above the picture")
-    given = arguments.parse_args()
-    if given.picture.suffix not in (".png", ".svg"):
-        arguments.error(f"{given.picture}: expected a name that ends in .png or .svg")
-    plotting.run(lambda: plotting.save(draw(given.errors, given.title), given.picture))
+    with standard_output.checked(plotting.script_name()):
+        given = arguments.parse_args()
+        if given.picture.suffix not in (".png", ".svg"):
+            arguments.error(f"{given.picture}: expected a name that ends in .png or .svg")
+        plotting.run(lambda: plotting.save(draw(given.errors, given.title), given.picture))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,8 @@ import os
 import pathlib
 import sys
 
+import standard_output
+
 # Okabe and Ito's colours, which look different to everybody.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
 
@@ -28,6 +30,10 @@ def save(figure, picture):
         temporary.unlink(missing_ok=True)
 
 
+def script_name():
+    return pathlib.Path(sys.argv[0]).name
+
+
 def run(work):
     """Calls work(), which draws. A Failure or a file that cannot be used ends the script with one line and code 2."""
     try:
@@ -42,7 +48,7 @@ def run(work):
         problem = str(failure)
     except OSError as error:
         problem = f"{error.filename}: {error.strerror}"
-    print(f"{pathlib.Path(sys.argv[0]).name}: {problem}", file=sys.stderr)
+    print(f"{script_name()}: {problem}", file=sys.stderr)
     sys.exit(2)
 
 
@@ -51,11 +57,12 @@ def run_on_folder(description, folder_help, name, draw):
     arguments = parser(description)
     arguments.add_argument("folder", type=pathlib.Path, help=folder_help)
     arguments.add_argument("--output", default=name, metavar="NAME", help="of the pictures, without .png (%(default)s)")
-    given = arguments.parse_args()
 
-    def work():
+    def work(given):
         figure = draw(given.folder)
         for form in "png", "svg":
             save(figure, given.folder / f"{given.output}.{form}")
 
-    run(work)
+    with standard_output.checked(script_name()):
+        given = arguments.parse_args()
+        run(lambda: work(given))

@@ -10,9 +10,9 @@ those of the message headers, not of their arrival; they and all numbers keep ev
 """
 import argparse
 import pathlib
-import signal
 import sys
 
+import standard_output
 from bag_files import Failure, choose_topic, guarded, import_rosbags, opened, run
 
 # How the position and the quaternion are reached from a message of each type.
@@ -26,7 +26,6 @@ TYPES = {
 
 def print_poses(arguments, progress):
     path = pathlib.Path(arguments.input)
-    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     with opened(path) as (reader, ros1):
         connections = choose_topic(path, reader.connections, list(TYPES), "pose", arguments.topic)
         topic = connections[0].topic
@@ -57,7 +56,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("input", help="log.bag (ROS 1), log.mcap, log.db3 or a folder (ROS 2)")
     parser.add_argument("--topic", help="needed if there are several with poses")
-    run("pose_bag.py", print_poses, parser.parse_args(), "standard output")
+    with standard_output.checked("pose_bag.py"):
+        run("pose_bag.py", print_poses, parser.parse_args(), standard_output.NAME)
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <splinertia/message.hpp>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 

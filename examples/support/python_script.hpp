@@ -5,9 +5,10 @@
 #include <sys/types.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/exit_code.hpp"
 
 /// Which Python: the environment variable SPLINERTIA_PYTHON, or python3.
 [[nodiscard]] std::string default_python();
@@ -16,8 +17,8 @@
 [[nodiscard]] bool is_ros_bag(const std::filesystem::path& path);
 
 /// A script that has said on standard error, in one line, what is wrong.
-struct ScriptFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct ScriptFailed : AlreadyReported {
+  using AlreadyReported::AlreadyReported;
 };
 
 /// A script that runs beside this program. No shell is between, so that no argument means anything but itself.

@@ -294,14 +294,6 @@ refuse("--estimate-time-offset: estimate_time_offset: the motion does not show t
 refuse("--estimate-time-offset: .*known for .* s at once, expected at least 8[.]112 s" ${files} --estimate-time-offset)
 run(2 "no/table.csv: .*No such file" ${files} --csv "${out}/no/table.csv")
 
-# Output that is lost is told by the exit code.
-if(EXISTS /dev/full)
-  execute_process(COMMAND "${PROGRAM}" ${files} OUTPUT_FILE /dev/full ERROR_VARIABLE text RESULT_VARIABLE result)
-  if(NOT result EQUAL 1 OR NOT text MATCHES "^compare_trajectories: [^\n]+\n$")
-    message(FATAL_ERROR "compare_trajectories > /dev/full: exit code ${result}, printed ${text}")
-  endif()
-endif()
-
 # What evo does not have, from its definition.
 find_program(PYTHON NAMES python3 python)
 function(compare_in_python script)

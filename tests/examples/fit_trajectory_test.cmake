@@ -304,12 +304,6 @@ foreach(options IN ITEMS "--order 2" "--order 7" "--group so4" "--loss tukey" "-
   run(2 "${option}" "${poses}" ${options} --output "${refused}")
 endforeach()
 run(2 "trajectory is required" --output "${refused}")
-if(EXISTS /dev/full)
-  execute_process(COMMAND "${PROGRAM}" "${poses}" --no-plot --output "${out}/fit" OUTPUT_FILE /dev/full RESULT_VARIABLE result ERROR_VARIABLE text)
-  if(NOT (result EQUAL 1 AND text MATCHES "^fit_trajectory: No space left on device\n$"))
-    message(FATAL_ERROR "a full device: exit code ${result}, ${text}")
-  endif()
-endif()
 run(2 "damaged.tum/sub: cannot create this folder" "${poses}" --output "${out}/damaged.tum/sub")   # a file is in the way
 file(MAKE_DIRECTORY "${out}/blocked/smoothed.tum")
 run(2 "smoothed.tum: exists and is not a regular file" "${poses}" --output "${out}/blocked")

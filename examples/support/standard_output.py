@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+"""Lost standard output is an error of the scripts, too: exit code 1, as in the programs."""
+import contextlib
+import os
+import sys
+
+NAME = "standard output"
+
+
+@contextlib.contextmanager
+def checked(script):
+    """Writes out what the block has printed. If that is lost the script exits with 1 and says why; not to a closed pipe,
+    whose reader has left."""
+    if sys.stdout is None:  # closed; print() would drop everything in silence
+        sys.stdout = os.fdopen(os.open(os.devnull, os.O_RDONLY), "w")
+    # Buffered in any case, because argparse ignores errors of unbuffered writes.
+    sys.stdout = open(sys.stdout.fileno(), "w", encoding=sys.stdout.encoding, errors=sys.stdout.errors, closefd=False)
+    try:
+        try:
+            yield
+        finally:
+            sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more
+        if not isinstance(error, BrokenPipeError):
+            print(f"{script}: {NAME}: {error.strerror}", file=sys.stderr)
+        sys.exit(1)
