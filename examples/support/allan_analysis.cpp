@@ -152,13 +152,14 @@ void print_table(const SensorNoise& sensor, const LogNoise& noise) {
 }
 
 /// What a detected coefficient does, so that one can tell whether it matters.
-std::string meaning(NoiseTerm term, SensorKind kind, double value, const LogNoise& noise) {
+std::string meaning(NoiseTerm term, const SensorNoise& sensor, double value) {
+  const SensorKind kind = sensor.kind;
   const std::string unit = unit_text(SensorUnit{}, kind);
   std::array<char, 120> text{};
   switch (term) {
     case NoiseTerm::white:
-      std::snprintf(text.data(), text.size(), "a sample at %.6g Hz has a standard deviation of %.4g %s", noise.rate,
-                    white_noise_sigma(value, noise.rate), unit.c_str());
+      std::snprintf(text.data(), text.size(), "a sample at %.6g Hz has a standard deviation of %.4g %s", sensor.rate,
+                    white_noise_sigma(value, sensor.rate), unit.c_str());
       break;
     case NoiseTerm::random_walk:
       std::snprintf(text.data(), text.size(), "the bias moves by %.4g %s in an hour", value * std::sqrt(units::hour),
@@ -204,10 +205,10 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
     const Estimate& estimate = sensor.pooled[term];
     const std::string title(name(term));
     if (estimate.detected) {
-      std::printf("%s: %s\n", title.c_str(), meaning(term, sensor.kind, estimate.value, noise).c_str());
+      std::printf("%s: %s\n", title.c_str(), meaning(term, sensor, estimate.value).c_str());
     } else {
       std::printf("%s: not detected in %s; below %.3g %s with %s confidence\n", title.c_str(),
-                  duration_text(noise.duration).c_str(), estimate.interval.upper, unit_of(term, sensor.kind).c_str(),
+                  duration_text(sensor.duration).c_str(), estimate.interval.upper, unit_of(term, sensor.kind).c_str(),
                   percent(noise.options.confidence).c_str());
     }
     if (axes_differ(sensor, term)) {
@@ -220,7 +221,7 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
   if (alike && sensor.axes.size() > 1) std::puts("no two axes differ by more than their intervals");
   const allan::NoiseEstimates<double>& pooled = sensor.pooled;
   // Half a bin below the end is the end.
-  if (pooled.highest_frequency < 0.499 * noise.rate) {
+  if (pooled.highest_frequency < 0.499 * sensor.rate) {
     std::printf("above %.4g Hz: left out, %s\n", pooled.highest_frequency,
                 noise.options.highest_frequency > 0 ? "as --highest-frequency says"
                                                     : "not white (a low-pass filter, vibration, hum)");
@@ -237,24 +238,30 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
 
 LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& options, unsigned threads) {
   constexpr std::size_t fewest = 100;  // fewer have intervals so wide that nobody could use them
-  if (log.samples < fewest) {
-    throw std::runtime_error(message(log.path, ": ", log.samples, " samples, expected at least ", fewest));
+  for (const SensorLog& sensor : log.sensors) {
+    if (sensor.samples < fewest) {
+      throw std::runtime_error(message(sensor.path, ": ", sensor.samples, " samples, expected at least ", fewest));
+    }
   }
-  const auto named = [&log](const SensorLog& sensor, const std::string& axis, const auto& analysis) {
+  const auto named = [](const SensorLog& sensor, const std::string& axis, const auto& analysis) {
     try {
       return analysis();
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message(log.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what()));
+      throw std::runtime_error(message(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what()));
     }
   };
   LogNoise result{log.path, log.rate, static_cast<double>(log.samples) / log.rate, options, {}};
   for (const SensorLog& sensor : log.sensors) {
-    SensorNoise noise{sensor.kind, std::vector<AxisNoise>(sensor.axes.size()), {}};
+    SensorNoise noise{sensor.kind,
+                      sensor.rate,
+                      static_cast<double>(sensor.samples) / sensor.rate,
+                      std::vector<AxisNoise>(sensor.axes.size()),
+                      {}};
     std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
     for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
       const AxisLog& axis = sensor.axes[i];
       noise.axes[i] = named(sensor, message(' ', axis.name), [&] {
-        const allan::IntegratedSignal<double> signal(axis.values, log.rate);
+        const allan::IntegratedSignal<double> signal(axis.values, sensor.rate);
         found[i].emplace(signal);
         return AxisNoise{axis.name, allan::curve<allan::OverlappingAllanDeviation>(signal),
                          allan::identify_pooled<double>({*found[i]}, options)};
@@ -324,21 +331,7 @@ void write_files(const LogNoise& noise, const std::filesystem::path& folder,
 
 void print_report(const ImuLog& log, const LogNoise& noise) {
   std::printf("%s: %zu samples, %s\n", log.path.c_str(), log.samples, duration_text(noise.duration).c_str());
-  if (log.sampling) {
-    const auto& sampling = *log.sampling;
-    std::printf("sampling: %.7g Hz, jitter %.3g ms (rms), at most %.3g ms; ", sampling.rate, sampling.jitter * 1e3,
-                sampling.largest_jitter * 1e3);
-    if (sampling.gaps == 0) {
-      std::puts("no samples missing");
-    } else {
-      std::printf(
-          "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, taken as if there were none\n",
-          static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps), sampling.longest.duration,
-          static_cast<long long>(sampling.longest.index));
-    }
-  } else {
-    std::printf("sampling: %.7g Hz, as given\n", log.rate);
-  }
+  for (const std::string& line : log.report) std::puts(line.c_str());
   std::printf("units: %s\n", log.units.c_str());
   for (const SensorNoise& sensor : noise.sensors) {
     print_table(sensor, noise);

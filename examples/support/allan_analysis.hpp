@@ -20,14 +20,16 @@ struct AxisNoise {
 
 struct SensorNoise {
   splinertia::SensorKind kind;
+  double rate;      ///< Hz
+  double duration;  ///< s
   std::vector<AxisNoise> axes;
   splinertia::allan::NoiseEstimates<double> pooled;  ///< of all axes together
 };
 
 struct LogNoise {
   std::string log;  ///< its path
-  double rate;      ///< Hz
-  double duration;  ///< s
+  double rate;      ///< Hz, of the first sensor
+  double duration;  ///< s, of the first sensor
   splinertia::allan::IdentifyOptions<double> options;
   std::vector<SensorNoise> sensors;
   std::optional<std::string> topic{};  ///< of the ROS bag, if it is one

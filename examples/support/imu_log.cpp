@@ -200,6 +200,26 @@ std::string short_text(double value) {
   return text.data();
 }
 
+/// How regularly the samples of a sensor come, as a line.
+std::string sampling_line(const SensorLog& sensor) {
+  std::array<char, 300> text{};
+  if (!sensor.sampling) {
+    std::snprintf(text.data(), text.size(), "sampling: %.7g Hz, as given", sensor.rate);
+    return text.data();
+  }
+  const LogSampling& sampling = *sensor.sampling;
+  std::snprintf(text.data(), text.size(), "sampling: %.7g Hz, jitter %.3g ms (rms), at most %.3g ms; ", sampling.rate,
+                sampling.jitter * 1e3, sampling.largest_jitter * 1e3);
+  std::string line = text.data();
+  if (sampling.gaps == 0) return line + "no samples missing";
+  std::snprintf(
+      text.data(), text.size(),
+      "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, taken as if there were none",
+      static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps), sampling.longest.duration,
+      static_cast<long long>(sampling.longest.index));
+  return line + text.data();
+}
+
 /// Refuses a log whose unit can be seen to be another one and has not been given.
 void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
   log.units += message(log.units.empty() ? "" : ", ", sensor_name(sensor.kind), " in ",
@@ -241,14 +261,14 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
 }
 
 void check_stillness(const SensorLog& sensor, ImuLog& log) {
-  const std::int64_t block = std::max<std::int64_t>(20, std::llround(std::min(log.rate, 1e9)));
+  const std::int64_t block = std::max<std::int64_t>(20, std::llround(std::min(sensor.rate, 1e9)));
   for (const AxisLog& axis : sensor.axes) {
     const allan::Stillness still = allan::measure_stillness(axis.values, block);
     if (still.disturbed == 0) continue;
     log.warnings.push_back(message(sensor_name(sensor.kind), ' ', axis.name, ": not at rest? In ", still.disturbed,
-                                   " of ", still.blocks, " blocks of ", static_cast<double>(block) / log.rate,
+                                   " of ", still.blocks, " blocks of ", static_cast<double>(block) / sensor.rate,
                                    " s it varies more than four times as much as in most, the worst ",
-                                   static_cast<double>(still.worst) / log.rate, " s after the beginning (",
+                                   static_cast<double>(still.worst) / sensor.rate, " s after the beginning (",
                                    short_text(still.worst_ratio), " times)"));
     return;  // the other axes will say the same
   }
@@ -277,7 +297,7 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
     for (const SensorKind kind : {SensorKind::gyro, SensorKind::accel}) {
       const auto& unit = kind == SensorKind::gyro ? options.gyro_unit : options.accel_unit;
       const double factor = unit ? units.at(*unit) : 1;
-      SensorLog sensor{kind, {}};
+      SensorLog sensor{kind, {}, log.path, log.samples, log.rate, log.sampling};
       for (std::size_t i = 0; i < 3; ++i) {
         auto& values = columns.values[i + (kind == SensorKind::gyro ? 1 : 4)];
         if (values.empty()) continue;
@@ -287,6 +307,7 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
       if (sensor.axes.empty()) continue;
       check_unit(sensor, unit.has_value(), log);
       check_stillness(sensor, log);
+      if (log.sensors.empty()) log.report.push_back(sampling_line(sensor));
       log.sensors.push_back(std::move(sensor));
     }
   } catch (const std::exception& error) {
@@ -302,6 +323,9 @@ std::vector<double> read_numbers(const std::filesystem::path& path) {
     const Parsed<double> number = parse_real(file.line());
     if (number.problem) file.fail(excerpt(file.line()), ' ', number.problem, ", expected one number a line");
     numbers.push_back(number.value);
+    if (numbers.size() == 10'000 && file.progress() > 0) {  // enough to tell the length of the rest
+      numbers.reserve(static_cast<std::size_t>(1.02 * static_cast<double>(numbers.size()) / file.progress()));
+    }
   }
   return numbers;
 }

@@ -31,19 +31,28 @@ struct AxisLog {
   std::vector<double> values;  ///< SI
 };
 
+using LogSampling = splinertia::allan::Sampling<std::chrono::nanoseconds>;
+
+/// A sensor has a rate of its own: the accelerometer may come from another log (ImuLogOptions::accel_log).
 struct SensorLog {
   splinertia::SensorKind kind;
   std::vector<AxisLog> axes;
+  std::string path;  ///< of the log that it is from
+  std::size_t samples = 0;
+  double rate = 0;                      ///< Hz
+  std::optional<LogSampling> sampling;  ///< of the stamps, if there are any
 };
 
 struct ImuLog {
   std::string path;
-  std::size_t samples = 0;
-  double rate = 0;                                                                ///< Hz
-  std::optional<splinertia::allan::Sampling<std::chrono::nanoseconds>> sampling;  ///< of the stamps, if there are any
-  std::string units;                  ///< that the sensors are taken to be in, as a line
-  std::vector<SensorLog> sensors;     ///< gyroscope and accelerometer, without what has no axis
-  std::vector<std::string> warnings;  ///< a line each
+  std::optional<std::string> topic;     ///< of the ROS bag
+  std::size_t samples = 0;              ///< of the first sensor
+  double rate = 0;                      ///< Hz, of the first sensor
+  std::optional<LogSampling> sampling;  ///< of the first sensor
+  std::string units;                    ///< that the sensors are taken to be in, as a line
+  std::vector<SensorLog> sensors;       ///< gyroscope and accelerometer, without what has no axis
+  std::vector<std::string> report;      ///< how the log was read: lines for the report
+  std::vector<std::string> warnings;    ///< a line each
 };
 
 /// gyroscope, accelerometer

@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <optional>
 #include <ranges>
+#include <span>
+#include <splinertia/allan/bursts.hpp>
+#include <splinertia/allan/missing_samples.hpp>
 #include <splinertia/finite.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
@@ -28,13 +31,14 @@ struct StampInterval {
 template <TimePoint Time>
 struct Sampling {
   std::int64_t samples;
-  double rate;                  ///< Hz, of the sensor: samples that are missing are counted
-  double nominal_interval;      ///< median of the intervals, s
-  double jitter;                ///< of the intervals about the nominal one, without gaps: root mean square, s
-  double largest_jitter;        ///< s
-  StampInterval<Time> longest;  ///< of all intervals
-  std::int64_t gaps;            ///< intervals longer than 1.5 nominal ones
-  std::int64_t missing;         ///< samples that have a place in them
+  double rate;                   ///< Hz, of the sensor: samples that are missing are counted
+  double nominal_interval;       ///< a typical interval, s
+  double jitter;                 ///< of the intervals about the nominal one, without gaps: root mean square, s
+  double largest_jitter;         ///< s
+  StampInterval<Time> longest;   ///< of all intervals
+  std::int64_t gaps;             ///< places where samples are missing
+  std::int64_t missing;          ///< samples that are missing there
+  std::optional<Bursts> bursts;  ///< the stamps are arrival times of packets; gaps are then their holes
 
   /// Of the samples that there should be, how many are missing.
   [[nodiscard]] double missing_share() const {
@@ -42,17 +46,48 @@ struct Sampling {
   }
 };
 
-/// Reads time stamps: seconds, or an integer std::chrono::duration. Throws std::invalid_argument for fewer than 3, and
-/// for stamps that are not finite or do not increase, naming the first of them. Memory: a double for each.
-template <std::ranges::forward_range Stamps>
-  requires TimePoint<std::ranges::range_value_t<Stamps>>
-[[nodiscard]] Sampling<std::ranges::range_value_t<Stamps>> measure_sampling(const Stamps& stamps) {
-  using Time = std::ranges::range_value_t<Stamps>;
-  std::vector<double> intervals;
-  std::optional<Time> first, last;
+namespace detail {
+
+/// The intervals of stamps in s, without those before the samples `breaks`, and the longest of them.
+template <TimePoint Time>
+struct StampIntervals {
+  std::vector<double> durations;
   StampInterval<Time> longest{};
-  for (const Time& time : stamps) {
-    const auto index = static_cast<std::int64_t>(intervals.size()) + (last ? 1 : 0);
+  double total = 0;  // s
+
+  template <std::ranges::forward_range Stamps>
+  StampIntervals(const Stamps& stamps, std::span<const std::int64_t> breaks) {
+    std::optional<Time> first, last;
+    std::int64_t index = 0;
+    auto next_break = breaks.begin();
+    double left_out = 0;
+    for (const Time& time : stamps) {
+      check(index, time, first, last);
+      const bool is_break = next_break != breaks.end() && *next_break == index;
+      if (is_break) ++next_break;
+      if (last) {
+        const double duration = seconds<double>(time - *last);
+        if (is_break) {
+          left_out += duration;
+        } else {
+          durations.push_back(duration);
+          if (duration > longest.duration) longest = {index - 1, *last, duration};
+        }
+      } else {
+        first = time;
+      }
+      last = time;
+      ++index;
+    }
+    if (durations.size() < 2) {
+      throw std::invalid_argument(message("sampling: ", index, " stamps, expected at least 3"));
+    }
+    total = seconds<double>(*last - *first) - left_out;
+  }
+
+ private:
+  static void check(std::int64_t index, const Time& time, const std::optional<Time>& first,
+                    const std::optional<Time>& last) {
     if constexpr (std::floating_point<Time>) {
       if (!is_finite(time)) {
         throw std::invalid_argument(message("sampling: stamp ", index, " is ", time, ", expected a finite number"));
@@ -61,41 +96,90 @@ template <std::ranges::forward_range Stamps>
       throw std::invalid_argument(message("sampling: stamp ", index, " is ", printable(time), " and the first ",
                                           printable(*first), ", expected a difference that their type can hold"));
     }
-    if (last) {
-      if (!(*last < time)) {
-        throw std::invalid_argument(message("sampling: stamp ", index, " is ", printable(time), " after ",
-                                            printable(*last), ", expected increasing stamps"));
-      }
-      intervals.push_back(seconds<double>(time - *last));
-      if (intervals.back() > longest.duration) longest = {index - 1, *last, intervals.back()};
-    } else {
-      first = time;
+    if (last && !(*last < time)) {
+      throw std::invalid_argument(message("sampling: stamp ", index, " is ", printable(time), " after ",
+                                          printable(*last), ", expected increasing stamps"));
     }
-    last = time;
   }
-  if (intervals.size() < 2) {
-    throw std::invalid_argument(
-        message("sampling: ", intervals.size() + (last ? 1 : 0), " stamps, expected at least 3"));
-  }
+};
 
-  std::vector<double> sorted = intervals;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double nominal = *middle;
-  Sampling<Time> result{static_cast<std::int64_t>(intervals.size()) + 1, 0, nominal, 0, 0, longest, 0, 0};
-  double squares = 0;
+/// Of the sampling, without what is missing. It is the median of the intervals where nearly all are about a multiple of
+/// it. Otherwise the stamps jitter or are coarse, so that single intervals say little: it is the mean of 8 in a row
+/// over all rows without a missing sample.
+[[nodiscard]] inline double nominal_interval(std::span<const double> intervals) {
+  constexpr std::size_t row = 8;
+  std::vector<double> sorted(intervals.begin(), intervals.end());
+  const double median = median_of(sorted);
+  std::size_t near = 0;
   for (const double interval : intervals) {
-    if (interval > 1.5 * nominal) {
-      ++result.gaps;
-      result.missing += std::llround(interval / nominal) - 1;
-    } else {
-      squares += (interval - nominal) * (interval - nominal);
-      result.largest_jitter = std::max(result.largest_jitter, std::abs(interval - nominal));
-    }
+    const double count = std::max(1.0, std::round(interval / median));
+    if (std::abs(interval / median - count) <= 0.15) ++near;
   }
-  // The median is no longer than 1.5 times itself, so that some interval is no gap.
-  result.jitter = std::sqrt(squares / static_cast<double>(result.samples - 1 - result.gaps));
-  result.rate = static_cast<double>(result.samples - 1 + result.missing) / seconds<double>(*last - *first);
+  if (20 * near >= 19 * intervals.size() || intervals.size() < 8 * row) return median;
+
+  struct Rows {
+    std::size_t count = 0;
+    double mean = 0;
+  };
+  const std::vector<double> sums = sums_of_rows(intervals, row);
+  const auto rows_near = [&](double nominal, double share) {  // whose sum is that of no missing sample
+    Rows rows;
+    for (const double sum : sums) {
+      if (std::abs(sum / nominal - row) > share) continue;
+      ++rows.count;
+      rows.mean += sum;
+    }
+    rows.mean = rows.count > 0 ? rows.mean / static_cast<double>(rows.count * row) : nominal;
+    return rows;
+  };
+  const double of_rows = typical_mean(intervals, 2 * row);
+  double nominal = rows_near(median, 0.25).count > rows_near(of_rows, 0.25).count ? median : of_rows;
+  for (int i = 0; i < 3; ++i) nominal = rows_near(nominal, 0.5).mean;
+  return nominal;
+}
+
+}  // namespace detail
+
+/// Reads time stamps: seconds, or an integer std::chrono::duration. `breaks` are the indices of samples before which a
+/// stretch was left out on purpose, in increasing order; no sample is missing there. Throws std::invalid_argument for
+/// fewer than 3 stamps, and for stamps that are not finite or do not increase, naming the first of them. Memory: three
+/// doubles for each.
+template <std::ranges::forward_range Stamps>
+  requires TimePoint<std::ranges::range_value_t<Stamps>>
+[[nodiscard]] Sampling<std::ranges::range_value_t<Stamps>> measure_sampling(const Stamps& stamps,
+                                                                            std::span<const std::int64_t> breaks = {}) {
+  using Time = std::ranges::range_value_t<Stamps>;
+  const detail::StampIntervals<Time> intervals(stamps, breaks);
+  const std::vector<double>& durations = intervals.durations;
+  const auto samples = static_cast<std::int64_t>(durations.size() + breaks.size()) + 1;
+  Sampling<Time> result{samples, 0, 0, 0, 0, intervals.longest, 0, 0, find_bursts(durations)};
+  std::vector<MissingSamples> places;
+  if (result.bursts) {
+    result.nominal_interval = 1 / result.bursts->rate;
+    result.rate = result.bursts->rate;
+    result.gaps = result.bursts->holes;
+    result.missing = result.bursts->missing;
+  } else {
+    result.nominal_interval = detail::nominal_interval(durations);
+    places = find_missing_samples(durations, result.nominal_interval);
+    result.gaps = static_cast<std::int64_t>(places.size());
+    for (const MissingSamples& place : places) result.missing += place.count;
+    result.rate = static_cast<double>(static_cast<std::int64_t>(durations.size()) + result.missing) / intervals.total;
+  }
+  double squares = 0;
+  std::size_t counted = 0;
+  auto place = places.begin();
+  for (std::size_t i = 0; i < durations.size(); ++i) {
+    if (place != places.end() && place->interval == static_cast<std::int64_t>(i)) {
+      ++place;
+      continue;
+    }
+    const double off = std::abs(durations[i] - result.nominal_interval);
+    squares += off * off;
+    ++counted;
+    result.largest_jitter = std::max(result.largest_jitter, off);
+  }
+  if (counted > 0) result.jitter = std::sqrt(squares / static_cast<double>(counted));
   return result;
 }
 
@@ -108,10 +192,11 @@ struct SamplingLimits {
   /// stamps alone, but a sensor that was started anew with another bias. With one sample in a thousand that is below
   /// the uncertainty of what an hour at rest says about anything but white noise.
   double missing = 1e-3;
-  /// Root mean square, in nominal intervals. Noise does not mind when it was sampled to first order, so that a late
-  /// stamp here and there does no harm; from about here on late stamps (beyond 1.5 intervals) look like missing
-  /// samples.
+  /// Of the intervals, root mean square, in nominal ones. Noise does not mind when it was sampled to first order, so
+  /// that a late stamp here and there does no harm. Stamps that vary more are rather arrival times.
   double jitter = 0.2;
+  /// The stamps may be arrival times: any jitter, and bursts. Only the rate is taken from them.
+  bool arrival_times = false;
 };
 
 /// Throws std::invalid_argument, saying by how much and where, unless the sampling is within the limits.
@@ -119,6 +204,14 @@ template <TimePoint Time>
 void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limits = {}) {
   require_non_negative("SamplingLimits", "missing", limits.missing);
   require_non_negative("SamplingLimits", "jitter", limits.jitter);
+  if (sampling.bursts && !limits.arrival_times) {
+    const Bursts& bursts = *sampling.bursts;
+    throw std::invalid_argument(message("sampling: the stamps come in bursts, of ", bursts.samples, " samples ",
+                                        bursts.spacing, " s apart every ", bursts.period,
+                                        " s: they are arrival times of packets, none is missing; expected the times of "
+                                        "the samples, which are ",
+                                        1 / bursts.rate, " s apart (", bursts.rate, " Hz)"));
+  }
   if (sampling.missing_share() > limits.missing) {
     throw std::invalid_argument(message("sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
                                         sampling.gaps == 1 ? " gap" : " gaps", ", the longest of ",
@@ -126,7 +219,7 @@ void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limit
                                         " at time ", printable(sampling.longest.time), ", expected at most ",
                                         limits.missing * 100, " % of ", sampling.samples + sampling.missing));
   }
-  if (sampling.jitter > limits.jitter * sampling.nominal_interval) {
+  if (sampling.jitter > limits.jitter * sampling.nominal_interval && !limits.arrival_times) {
     throw std::invalid_argument(message("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
                                         sampling.nominal_interval, " s, expected at most ", limits.jitter * 100,
                                         " % of it"));

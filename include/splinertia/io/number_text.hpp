@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <limits>
+#include <splinertia/io/detail/short_decimal.hpp>
 #include <string_view>
 #include <system_error>
 #include <version>
@@ -67,7 +68,11 @@ inline char* real_to_chars(char* first, double value) {
   return first + length;
 }
 #else
+/// As std::from_chars.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
+#if defined(__SIZEOF_INT128__)
+  if (const char* const end = detail::short_decimal(first, last, value)) return {end, std::errc{}};
+#endif
   return std::from_chars(first, last, value);
 }
 
@@ -92,6 +97,13 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
 /// Reads a finite decimal number: digits with an optional sign, point and exponent. Everything else is a problem: NaN,
 /// infinity, hexadecimal, overflow, anything before or after the number.
 [[nodiscard]] inline Parsed<double> parse_real(std::string_view text) {
+#if defined(__SIZEOF_INT128__)
+  Parsed<double> usual;
+  if (!text.empty() &&
+      detail::short_decimal(text.data(), text.data() + text.size(), usual.value) == text.data() + text.size()) {
+    return usual;
+  }
+#endif
   const bool plus = text.starts_with('+');  // std::from_chars takes no plus sign
   if (plus) text.remove_prefix(1);
   const std::string_view digits = text.substr(!plus && text.starts_with('-') ? 1 : 0);
