@@ -43,6 +43,7 @@ class Identification {
  public:
   Identification(std::span<const DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
       : options_(checked(options)),
+        spectra_(spectra),
         spectrum_(spectra),
         highest_(options.highest_frequency > 0 ? std::min(options.highest_frequency, spectrum_.rate() / 2)
                                                : spectrum_.rate() / 2),
@@ -72,6 +73,7 @@ class Identification {
     for (Description<Scalar>& description : result.descriptions) description.cost -= selection_->best().cost;
     result.fits = fits();
     result.fit_probability = probability_;
+    result.agreement_probability = agreement_probability();
     for (const auto& octave : octaves_) result.bands.push_back(octave.fit);
     const std::size_t end = bands_.used_end();
     const bool all = end == spectrum_.bins().size();
@@ -153,6 +155,29 @@ class Identification {
   /// Chance deviates as much in one log of a thousand.
   [[nodiscard]] bool fits() const {
     return probability_ > Scalar(1) / 1000 && std::abs(worst_.off) < BandSelection<Scalar>::most_off;
+  }
+
+  /// The ratio of the likelihoods with coefficients for each axis and with common ones is chi-square (Wilks).
+  [[nodiscard]] Scalar agreement_probability() const {
+    if (spectra_.size() == 1) return Scalar(1);
+    const Model& best = selection_->best();
+    Scalar together = best.result.objective, apart = 0;
+    for (const auto& spectrum : spectra_) {
+      const PooledSpectrum<Scalar> own(std::span(&spectrum, 1));
+      const Fit fit(own, bands_.included());
+      apart += ModelLikelihood<Scalar>(fit).maximise(best.terms).objective;
+      // Each in its own unit.
+      Scalar count = 0;
+      for (std::size_t i = 0; i < own.bins().size(); ++i) count += bands_.included()[i] ? own.bins()[i].count : Scalar(0);
+      apart += 2 * count * (std::log(own.unit()) - std::log(spectrum_.unit()));
+    }
+    Scalar parameters = 0;
+    for (const NoiseTerm term : Fit::spectral_terms) parameters += best.terms.has(term) ? 1 : 0;
+    if (best.terms.has(NoiseTerm::gauss_markov)) parameters += 1;
+    if (best.terms.has(NoiseTerm::warm_up)) parameters += 1;
+    if (parameters == 0) return Scalar(1);
+    return chi_square_upper_tail(std::max(together - apart, Scalar(0)),
+                                 parameters * static_cast<Scalar>(spectra_.size() - 1));
   }
 
   [[nodiscard]] Description<Scalar> described(const Model& model) const {
@@ -310,6 +335,7 @@ class Identification {
   }
 
   IdentifyOptions<Scalar> options_;
+  std::span<const DifferenceSpectrum<Scalar>> spectra_;
   PooledSpectrum<Scalar> spectrum_;
   Scalar highest_;
   BandSelection<Scalar> bands_;

@@ -82,6 +82,9 @@ struct NoiseEstimates {
   /// intervals do not hold.
   bool fits = false;
   Scalar fit_probability{};  ///< that chance makes octaves deviate from the model, up and down, as much as these do
+  /// Of several axes together: that chance makes axes that share their noise differ as much as these do. Below a
+  /// hundredth, they have no common noise to speak of.
+  Scalar agreement_probability = 1;
   std::vector<BandFit<Scalar>> bands;  ///< octaves, from the highest down; none of fit_curve(), which cannot know
 
   [[nodiscard]] const Estimate<Scalar>& operator[](NoiseTerm term) const {
