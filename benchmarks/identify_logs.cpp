@@ -48,13 +48,32 @@ bool read_log(std::vector<double>& log) {
   return false;
 }
 
+/// The power law of the spectrum of the term that rules the model at this averaging time.
+int power_law(const allan::NoiseEstimates<double>& noise, double tau) {
+  double largest = 0;
+  int alpha = 0;
+  for (const allan::NoiseTerm term : allan::noise_terms) {
+    const double variance = noise[term].value * noise[term].value * allan_variance(term, tau);
+    if (!noise[term].detected || variance <= largest) continue;
+    largest = variance;
+    alpha = term == allan::NoiseTerm::white              ? 0
+            : term == allan::NoiseTerm::bias_instability ? -1
+            : term == allan::NoiseTerm::quantization     ? 2
+                                                         : -2;
+  }
+  return alpha;
+}
+
 /// How far the model's Allan deviation is from the measured one at the worst averaging time, in standard errors of the
-/// measured one. The ratio of the variances times the degrees of freedom is chi-square; the cube root of the ratio is
-/// normal (Wilson and Hilferty, PNAS 17 (1931)).
+/// measured one if the model is true. The ratio of the variances times the degrees of freedom is then chi-square, and
+/// the cube root of the ratio normal (Wilson and Hilferty, PNAS 17 (1931)).
 double worst_deviation(const allan::IntegratedSignal<double>& signal, const allan::NoiseEstimates<double>& noise) {
+  using Deviation = allan::OverlappingAllanDeviation;
   double worst = 0;
-  for (const auto& point : allan::curve<allan::OverlappingAllanDeviation>(signal).points) {
-    const double ratio = point.deviation / noise.deviation(point.tau), spread = 2 / (9 * point.degrees_of_freedom);
+  for (const auto& point : allan::curve<Deviation>(signal, {.alpha = 0}).points) {
+    const double freedom = allan::degrees_of_freedom<Deviation>(power_law(noise, point.tau), point.factor,
+                                                                signal.samples(), allan::PhaseModel::sampled);
+    const double ratio = point.deviation / noise.deviation(point.tau), spread = 2 / (9 * freedom);
     worst = std::max(worst, std::abs(std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread));
   }
   return worst;
