@@ -347,7 +347,8 @@ def make_cases():
         cases.append(one_axis(f"flicker_{corner:g}Hz", Flicker(WHITE * math.sqrt(2 * math.pi * corner))))
     for peak in (3, 30):
         for tau in (10, 100, 600):
-            cases.append(one_axis(f"gauss_markov_{tau}s_x{peak}", GaussMarkov(WHITE * math.sqrt(peak / (2 * tau)), tau)))
+            bias = GaussMarkov(WHITE * math.sqrt(peak / (2 * tau)), tau)  # its density at f = 0: 2τσ² = peak·N²
+            cases.append(one_axis(f"gauss_markov_{tau}s_x{peak}", bias))
     for z in (3, 10, 30):
         cases.append(one_axis(f"ramp_z{z}", lambda grid, z=z: Ramp(z * Ramp.error(grid))))
     for z in (3, 10):
@@ -362,7 +363,8 @@ def make_cases():
             cases.append(one_axis(f"line_{frequency:g}Hz_{amplitude:g}sigma", lambda grid, f=frequency, a=amplitude:
                                   Line(f, a * grid.sigma)))
     for frequency in (1, 20):
-        cases.append(one_axis(f"line_{frequency:g}Hz_drifting", lambda grid, f=frequency: Line(f, 3 * grid.sigma, 5e-3)))
+        cases.append(one_axis(f"line_{frequency:g}Hz_drifting", lambda grid, f=frequency:
+                              Line(f, 3 * grid.sigma, 5e-3)))
     cases.append(one_axis("comb_5Hz", *(lambda grid, k=k: Line(5.01 * k, 2 * grid.sigma / k) for k in range(1, 9))))
     for frequency in (0.1, 0.6, 5, 20):
         cases.append(one_axis(f"resonance_{frequency:g}Hz", lambda grid, f=frequency: Resonance(f, 10, grid.sigma / 2)))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What identify() is worth on simulated logs: how often its intervals cover the truth, how often it finds terms that are
-not there, how much it scatters, and whether it warns where its model does not describe the log.
+"""What identify() is worth on simulated logs: how often its intervals cover the truth, how often it finds terms that
+are not there, how much it scatters, and whether it warns where its model does not describe the log.
 
     allan_statistics.py PROGRAM [options]      # PROGRAM is the benchmark identify_logs; prints tables in Markdown
     allan_statistics.py --self-test            # compares the simulator with its theory; exit code 1 if it fails
@@ -24,12 +24,16 @@ import time
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-import numpy as np
-import scipy.stats
+NAME = "allan_statistics.py"
+
+try:
+    import numpy as np
+    import scipy.stats
+except ImportError as missing:
+    sys.exit(f"{NAME}: the Python package {missing.name} is not installed")
 
 import allan_logs
 
-NAME = "allan_statistics.py"
 LEAST_COVERAGE, MOST_COVERAGE = 0.92, 0.98  # of intervals of 95 %
 LEAST_WARNED = 0.95                         # of the logs of which an interval does not cover
 MOST_FALSE = 0.015
@@ -40,6 +44,15 @@ LOGS_A_TASK = 10
 
 def say(text, end="\n"):
     print(text, file=sys.stderr, end=end, flush=True)
+
+
+def output(text):
+    try:
+        print(text, flush=True)
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python writes again at exit
+        say(f"{NAME}: standard output cannot be written: {error.strerror}")
+        sys.exit(1)
 
 
 def fail(text):
@@ -84,7 +97,8 @@ def run_task(task):
     if len(table) != task.runs:
         raise RuntimeError(f"{task.case}, logs from {task.first} on: {task.program} printed {len(table)} lines, "
                            f"expected {task.runs}")
-    return [{"case": task.case, "run": task.first + i, **{f"truth_{s}": v for s, v in truths[i].items()},
+    return [{"case": task.case, "samples": task.grid.samples, "rate": task.grid.rate, "run": task.first + i,
+             **{f"truth_{symbol}": value for symbol, value in truths[i].items()},
              **{name: float(value) for name, value in row.items()}, "simulation_seconds": took[i]}
             for i, row in enumerate(table)]
 
@@ -115,8 +129,14 @@ def write_rows(rows, path):
 
 def read_rows(path):
     with open(path, newline="") as file:
-        return [{name: value if name == "case" else float(value) for name, value in row.items() if value != ""}
-                for row in csv.DictReader(file)]
+        table = csv.DictReader(file)
+        if not {"case", "samples", "rate", "run", "N_detected"} <= set(table.fieldnames or ()):
+            raise ValueError(f"{path}: the first line does not name the columns that --csv writes")
+        rows = [{name: value if name == "case" else float(value) for name, value in row.items() if value != ""}
+                for row in table]
+    if len({(row["samples"], row["rate"]) for row in rows}) > 1:
+        raise ValueError(f"{path}: logs of different lengths or rates, expected those of one run")
+    return rows
 
 
 # --------------------------------------------------------------------------------------------------------- judgement
@@ -174,8 +194,8 @@ class Present:
 
     def __init__(self, rows, term, bound):
         truth = np.array([row[f"truth_{term}"] for row in rows])
-        value, lower, upper = (np.array([row[f"{term}_{what}"] for row in rows]) for what in ("value", "lower", "upper"))
-        inner, outer = (np.array([row[f"{term}_one_sigma_{what}"] for row in rows]) for what in ("lower", "upper"))
+        columns = ("value", "lower", "upper", "one_sigma_lower", "one_sigma_upper")
+        value, lower, upper, inner, outer = np.array([[row[f"{term}_{name}"] for row in rows] for name in columns])
         detected = np.array([row[f"{term}_detected"] == 1 for row in rows])
         warning = np.array([warned(row) for row in rows])
         covers = (lower <= truth) & (truth <= upper)
@@ -214,7 +234,8 @@ class Summary:
         self.present, self.absent = {}, {}
         truth = {term: rows[0].get(f"truth_{term}", 0) for term in terms_of(rows)}
         known = {name.removeprefix("truth_") for name in rows[0] if name.startswith("truth_")}
-        bounds = cramer_rao(grid, truth["N"], truth["K"]) if known == {"N", "K"} and self.name.startswith("walk") else {}
+        ideal = known == {"N", "K"} and self.name.startswith("walk")
+        bounds = cramer_rao(grid, truth["N"], truth["K"]) if ideal else {}
         for term, value in truth.items():
             if value > 0:
                 self.present[term] = Present(rows, term, bounds.get(term))
@@ -224,21 +245,21 @@ class Summary:
 
 
 def present_table(summaries):
-    yield "| case | warned | term | detected | 95 % covers | warned of those not covering | 1 sigma covers | limit holds, " \
-          "not detected | value/truth | std/bound | verdict |"
+    yield ("| case | warned | term | detected | 95 % covers | warned of those not covering | 1 sigma covers | "
+           "limit holds, not detected | value/truth | std/bound | verdict |")
     yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for summary in summaries:
         for term, found in summary.present.items():
             bound = f"{found.over_bound:.3f}" if found.over_bound else ""
             yield (f"| {summary.name} | {summary.warnings} | {term} | {found.detected} | {found.coverage} | "
-                   f"{found.missed_warned} | {found.one_sigma} | {found.limits} | {found.mean:.4f} ± {found.spread:.4f} | "
-                   f"{bound} | {found.coverage_verdict()} |")
+                   f"{found.missed_warned} | {found.one_sigma} | {found.limits} | "
+                   f"{found.mean:.4f} ± {found.spread:.4f} | {bound} | {found.coverage_verdict()} |")
 
 
 def absent_table(summaries):
     terms = list(dict.fromkeys(term for summary in summaries for term in summary.absent))
-    yield "Found although not there, % of logs (of these without warning), and logs whose model is off by more than " \
-          f"{MOST_DEVIATIONS} standard errors without warning:\n"
+    yield ("Found although not there, % of logs (of these without warning), and logs whose model is off by more than "
+           f"{MOST_DEVIATIONS} standard errors without warning:\n")
     yield f"| case | logs | warned | {' | '.join(terms)} | silent misfit | s | s to simulate |"
     yield "|---" * (len(terms) + 6) + "|"
     for summary in summaries:
@@ -258,7 +279,8 @@ def absent_table(summaries):
 def verdict_table(summaries):
     """One line for each number asked for: PASS, or which cases are over it and which near it by chance."""
     groups = {
-        f"95 % intervals cover {LEAST_COVERAGE:.0%} to {MOST_COVERAGE:.0%}, or {LEAST_WARNED:.0%} of those that don't are warned of":
+        f"95 % intervals cover {LEAST_COVERAGE:.0%} to {MOST_COVERAGE:.0%}, or a warning comes with {LEAST_WARNED:.0%} "
+        "of those that don't":
             [(f"{s.name} {t}", p.coverage_verdict()) for s in summaries for t, p in s.present.items()],
         f"false detections ≤ {100 * MOST_FALSE:g} %":
             [(f"{s.name} {t}", a[0].verdict(0, MOST_FALSE)) for s in summaries for t, a in s.absent.items()],
@@ -275,16 +297,16 @@ def verdict_table(summaries):
         if not verdicts:
             continue
         over, near = ([what for what, verdict in verdicts if verdict == which] for which in ("over", "near"))
-        yield (f"| {name} | {'over' if over else 'PASS' if not near else 'near'}: {len(over)} of {len(verdicts)} over | "
-               f"{', '.join(over)} | {', '.join(near)} |")
+        verdict = "over" if over else "near" if near else "PASS"
+        yield f"| {name} | {verdict}: {len(over)} of {len(verdicts)} over | {', '.join(over)} | {', '.join(near)} |"
 
 
-def report(rows, grid):
+def report(rows):
+    grid = allan_logs.Grid(int(rows[0]["samples"]), rows[0]["rate"])
     cases = list(dict.fromkeys(row["case"] for row in rows))
     summaries = [Summary([row for row in rows if row["case"] == case], grid) for case in cases]
-    print(f"Logs of {grid.duration / 3600:g} h at {grid.rate:g} Hz.\n")
-    for table in (verdict_table, present_table, absent_table):
-        print("\n".join(table(summaries)) + "\n", flush=True)
+    tables = ("\n".join(table(summaries)) for table in (verdict_table, present_table, absent_table))
+    return "\n\n".join([f"Logs of {grid.duration / 3600:g} h at {grid.rate:g} Hz.", *tables])
 
 
 # ------------------------------------------------------------------------------------------------------------ program
@@ -313,7 +335,7 @@ def parse_arguments():
     parser.add_argument("--threads", type=positive(int), default=1, help="processes side by side (1)")
     parser.add_argument("--seed", type=int, default=1, help="another seed, other logs (1)")
     parser.add_argument("--csv", type=pathlib.Path, metavar="FILE", help="writes a line a log")
-    parser.add_argument("--read", type=pathlib.Path, metavar="FILE", help="simulates nothing; --hours and --rate as then")
+    parser.add_argument("--read", type=pathlib.Path, metavar="FILE", help="simulates nothing")
     parser.add_argument("--self-test", action="store_true", help="only compares the simulator with its theory")
     arguments = parser.parse_args()
     if arguments.seed < 0:
@@ -327,10 +349,11 @@ def main():
     arguments = parse_arguments()
     grid = allan_logs.Grid(round(arguments.hours * 3600 * arguments.rate), arguments.rate)
     if arguments.list:
-        print("\n".join(allan_logs.CASES))
+        output("\n".join(allan_logs.CASES))
         return
     if arguments.self_test:
-        failures = allan_logs.self_test(dataclasses.replace(grid, samples=min(grid.samples, 72000)), arguments.seed, print)
+        short = dataclasses.replace(grid, samples=min(grid.samples, 72000))
+        failures = allan_logs.self_test(short, arguments.seed, output)
         sys.exit(1 if failures else 0)
     wanted = arguments.case or [""]
     cases = [name for name in allan_logs.CASES if any(part in name for part in wanted)]
@@ -339,13 +362,15 @@ def main():
     try:
         if arguments.read:
             rows = [row for row in read_rows(arguments.read) if row["case"] in cases]
+            if not rows:
+                raise ValueError(f"{arguments.read}: no log of the cases that are asked for")
         else:
             rows = measure(cases, arguments)
         if arguments.csv:
             write_rows(rows, arguments.csv)
     except (OSError, RuntimeError, ValueError) as error:
         fail(error)
-    report(rows, grid)
+    output(report(rows))
 
 
 if __name__ == "__main__":
