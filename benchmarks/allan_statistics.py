@@ -263,8 +263,8 @@ def present_table(summaries):
 def absent_table(summaries):
     terms = list(dict.fromkeys(term for summary in summaries for term in summary.absent))
     yield ("Found although not there, % of logs (of these without warning); and, without warning, % of logs whose "
-           f"model is above or below the measured deviation by more than {MOST_DEVIATIONS} standard errors, and of these "
-           "the logs that were used up to rate/2:\n")
+           f"model is above or below the measured deviation by more than {MOST_DEVIATIONS} standard errors, and of "
+           "these the logs that were used up to rate/2:\n")
     yield f"| case | logs | warned | {' | '.join(terms)} | above | below | used up to rate/2 | s | s to simulate |"
     yield "|---" * (len(terms) + 8) + "|"
     for summary in summaries:

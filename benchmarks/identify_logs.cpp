@@ -45,14 +45,12 @@ struct Field {
 
 /// Fills `log` from standard input. False at the end of the input, which may only be between two logs.
 bool read_log(std::vector<double>& log) {
-  const std::size_t count = std::fread(log.data(), sizeof(double), log.size(), stdin);
-  if (count == log.size()) return true;
+  const std::size_t expected = log.size() * sizeof(double), count = std::fread(log.data(), 1, expected, stdin);
+  if (count == expected) return true;
   if (std::ferror(stdin) != 0) throw std::runtime_error("standard input cannot be read");
-  if (count > 0 || std::fgetc(stdin) != EOF) {
-    throw std::invalid_argument("standard input ends after " + std::to_string(count) + " numbers of a log, expected " +
-                                std::to_string(log.size()));
-  }
-  return false;
+  if (count == 0) return false;
+  throw std::invalid_argument("standard input ends after " + std::to_string(count) + " bytes of a log, expected " +
+                              std::to_string(expected));
 }
 
 /// The power law of the spectrum of the term that rules the model at this averaging time.

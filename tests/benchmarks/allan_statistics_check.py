@@ -47,7 +47,8 @@ def check_identify_logs():
     expect(abs(float(rows[0]["N_value"]) / 0.05**0.5 - 1) < 0.05, "N of two axes", rows)
     expect(float(rows[0]["model_above"]) > 4, "the model is above the quieter axis", rows)
     expect(float(rows[0]["model_below"]) > 4, "the model is below the noisier axis", rows)
-    for arguments, text, what in (((4000, 100), given[:-1], "expected 4000"), ((4000, -100), given, "rate"),
+    for arguments, text, what in (((4000, 100), given[:-1], "expected 32000"), ((4000, -100), given, "rate"),
+                                  ((4000, 100), given + bytes(3), "after 3 bytes"),
                                   ((2, 100), given, "samples"), ((4000, 100), bytes(32000), "constant")):
         code, printed, errors = run(PROGRAM, *arguments, given=text)
         expect(code == 2 and what in errors + printed, f"bad input: {what}", code, printed, errors)
