@@ -12,6 +12,7 @@
 #include <splinertia/allan/step_fit.hpp>
 #include <splinertia/allan/step_scan.hpp>
 #include <splinertia/require.hpp>
+#include <utility>
 #include <vector>
 
 namespace splinertia::allan {
@@ -20,91 +21,104 @@ namespace splinertia::allan {
 struct Step {
   std::int64_t sample;    ///< first sample at the level after the change
   double height;          ///< level after − level before, in the signal's unit
-  double standard_error;  ///< of the height
-  double significance;    ///< the change over the usual one of windows of the same width in this signal
+  double standard_error;  ///< of the height, in the signal's unit
+  double significance;    ///< the change over what is usual between windows of the same width in this signal
   std::int64_t duration;  ///< samples between the levels: 0 for a sudden step, more for a slow tilt
 };
 
 struct StepOptions {
-  double false_alarms = 1e-4;  ///< probability of any step in Gaussian noise
-  double least_height = 0;  ///< lower ones are not reported; of a signal rounded more coarsely than 3 σ its resolution
+  double false_alarms = 1e-4;        ///< probability of any step in a log of Gaussian noise
+  double least_height = 0;           ///< lower steps are not reported, in the signal's unit
+  std::vector<SampleSpan> left_out;  ///< not looked at, such as freezes
 };
 
-namespace detail {
-
-/// Spans that do not overlap, and whether another one does.
-class StepSpans {
+/// The search of find_steps(): candidates from the strongest to the weakest, each fitted and judged.
+template <std::floating_point Scalar>
+class StepSearch {
  public:
-  explicit StepSpans(std::vector<SampleSpan> spans) : spans_(std::move(spans)) {}
-  [[nodiscard]] bool overlap(const SampleSpan& span) const {
-    return std::any_of(spans_.begin(), spans_.end(),
-                       [&](const SampleSpan& other) { return other.begin < span.end && span.begin < other.end; });
+  StepSearch(const IntegratedSignal<Scalar>& signal, const StepOptions& options)
+      : signal_(signal), least_(options.least_height / static_cast<double>(signal.unit())), taken_(options.left_out) {
+    means_.reserve(static_cast<std::size_t>(signal.samples() / step_block));
+    for (std::int64_t begin = 0; begin + step_block <= signal.samples(); begin += step_block) {
+      means_.push_back(mean(begin, begin + step_block));
+    }
+    clipped_ = means_;
+    clip_knocks(clipped_);
+    std::vector<StepCandidate> candidates = StepScan(clipped_, options.false_alarms, least_).candidates();
+    std::sort(candidates.begin(), candidates.end(),
+              [](const StepCandidate& a, const StepCandidate& b) { return a.excess > b.excess; });
+    for (const StepCandidate& candidate : candidates) judge(candidate);
+    std::sort(steps_.begin(), steps_.end(), [](const Step& a, const Step& b) { return a.sample < b.sample; });
   }
-  void add(const SampleSpan& span) { spans_.push_back(span); }
+
+  [[nodiscard]] std::vector<Step>& steps() { return steps_; }
 
  private:
-  std::vector<SampleSpan> spans_;
-};
+  /// A change must be so many of its own standard errors: of the scatter right beside it, which a knock increases.
+  static constexpr double least_errors = 6;
+  /// In units of signal.unit(): what the rounding errors of the sums may amount to.
+  static constexpr double rounding = 1e-10;
 
-}  // namespace detail
+  /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
+  [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
+    const auto& sums = signal_.sums();
+    const Scalar sum = sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)];
+    return static_cast<double>(sum) / static_cast<double>(end - begin);
+  }
+
+  void judge(const StepCandidate& candidate) {
+    const SampleSpan window{(candidate.place - candidate.before) * step_block,
+                            (candidate.place + candidate.after) * step_block};
+    const auto overlaps = [&](const SampleSpan& span) { return span.begin < window.end && window.begin < span.end; };
+    // A rejected candidate stands for its neighbours of similar width.
+    const auto stands_for = [&](const StepCandidate& other) {
+      return 2 * std::abs(other.place - candidate.place) < other.width && candidate.width <= 2 * other.width &&
+             other.width <= 2 * candidate.width;
+    };
+    if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
+    if (std::any_of(rejected_.begin(), rejected_.end(), stands_for)) return;
+    samples_.clear();
+    for (std::int64_t i = window.begin; i < window.end; ++i) {
+      const auto block = static_cast<std::size_t>(i / step_block);
+      const bool knock = clipped_[block] != means_[block];
+      samples_.push_back(knock ? clipped_[block] : mean(i, i + 1));
+    }
+    const std::optional<StepFit> fit =
+        StepFitter(samples_).fit(candidate.before * step_block, candidate.width * step_block);
+    const double least = std::max(least_, rounding);
+    if (!fit || !(std::abs(fit->height) >= std::max(least, least_errors * fit->standard_error))) {
+      rejected_.push_back(candidate);
+      return;
+    }
+    const std::int64_t first = window.begin + fit->begin, last = first + fit->duration;
+    const std::int64_t margin = fit->duration + step_block;  // a slow change may begin and end smoothly
+    taken_.push_back({first - margin, last + margin});
+    const auto unit = static_cast<double>(signal_.unit());
+    steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
+  }
+
+  const IntegratedSignal<Scalar>& signal_;
+  double least_;
+  std::vector<double> means_, clipped_;  ///< of blocks
+  std::vector<double> samples_;          ///< of one window
+  std::vector<SampleSpan> taken_;
+  std::vector<StepCandidate> rejected_;
+  std::vector<Step> steps_;
+};
 
 /// Finds steps of the mean.
 template <std::floating_point Scalar>
-[[nodiscard]] std::vector<Step> find_steps(const IntegratedSignal<Scalar>& signal, const StepOptions& options = {},
-                                           const std::vector<SampleSpan>& left_out = {}) {
+[[nodiscard]] std::vector<Step> find_steps(const IntegratedSignal<Scalar>& signal, const StepOptions& options = {}) {
   require(options.false_alarms > 0 && options.false_alarms < 1, "find_steps", "false_alarms", options.false_alarms,
           "a probability in (0, 1)");
   require_non_negative("find_steps", "least_height", options.least_height);
-  const auto& sums = signal.sums();
-  const auto value = [&](std::int64_t begin, std::int64_t end) {  // mean of samples, in units of signal.unit()
-    return static_cast<double>(sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)]) /
-           static_cast<double>(end - begin);
-  };
-  const auto unit = static_cast<double>(signal.unit());
-  const double least = options.least_height / unit;
-  std::vector<double> means(static_cast<std::size_t>(signal.samples() / step_block));
-  std::int64_t begin = 0;
-  for (double& mean : means) {
-    mean = value(begin, begin + step_block);
-    begin += step_block;
-  }
-  const std::vector<double> unclipped = means;
-  clip_knocks(means);
-  StepScan scan(means, options.false_alarms, least);
-  std::vector<StepCandidate> candidates = scan.candidates();
-  std::sort(candidates.begin(), candidates.end(),
-            [](const StepCandidate& a, const StepCandidate& b) { return a.excess > b.excess; });
-  detail::StepSpans taken(left_out);
-  std::vector<StepCandidate> rejected;
-  std::vector<Step> steps;
-  std::vector<double> window;
-  for (const StepCandidate& candidate : candidates) {
-    const SampleSpan span{(candidate.place - candidate.before) * step_block,
-                          (candidate.place + candidate.after) * step_block};
-    if (taken.overlap(span)) continue;
-    const bool tried = std::any_of(rejected.begin(), rejected.end(), [&](const StepCandidate& other) {
-      return 2 * std::abs(other.place - candidate.place) < other.width && candidate.width <= 2 * other.width &&
-             other.width <= 2 * candidate.width;
-    });
-    if (tried) continue;
-    window.clear();
-    for (std::int64_t i = span.begin; i < span.end; ++i) {
-      const auto block = static_cast<std::size_t>(i / step_block);
-      window.push_back(means[block] == unclipped[block] ? value(i, i + 1) : means[block]);
-    }
-    const std::optional<StepFit> fit =
-        StepFitter(window).fit(candidate.before * step_block, candidate.width * step_block);
-    if (!fit || !(std::abs(fit->height) >= 6 * fit->standard_error) || std::abs(fit->height) < least) {
-      rejected.push_back(candidate);
-      continue;
-    }
-    const std::int64_t first = span.begin + fit->begin, last = first + fit->duration;
-    const std::int64_t margin = fit->duration + step_block;
-    taken.add({first - margin, last + margin});
-    steps.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
-  }
-  std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.sample < b.sample; });
-  return steps;
+  return std::move(StepSearch(signal, options).steps());
+}
+
+/// Likewise; throws what IntegratedSignal throws.
+template <Signal S>
+[[nodiscard]] std::vector<Step> find_steps(const S& signal, const StepOptions& options = {}) {
+  return find_steps(IntegratedSignal(signal, ScalarOfSignal<S>(1)), options);
 }
 
 }  // namespace splinertia::allan
