@@ -16,9 +16,9 @@ namespace splinertia::allan {
 
 /// The resolution of a signal (least significant bit, LSB) in its unit: the spacing of the values it takes.
 ///
-/// 16384 samples, spread over the signal, are looked at. The spacing is the tenth percentile of the distances between
+/// 16384 samples, spread over the signal, are looked at. The spacing is the lower quartile of the distances between
 /// neighbouring values, refined over all of them. 95 % of the distances must be multiples of it to within a quarter
-/// (all but one or two of fewer than 40). That leaves room for text that was rounded to a quarter of the resolution,
+/// (all but one or two of fewer than 40). That leaves room for text that was rounded to a fifth of the resolution,
 /// and for a stray value. Nothing where values hardly ever repeat (a resolution below about 1/1000 of the spread, which
 /// does not matter), where they are not equally spaced, and for a constant signal.
 template <Signal S>
@@ -38,12 +38,12 @@ template <Signal S>
   std::vector<double> distances;
   for (std::size_t i = 1; i < values.size(); ++i) distances.push_back(values[i] - values[i - 1]);
   std::sort(distances.begin(), distances.end());
-  double resolution = distances[distances.size() / 10];
+  double resolution = distances[distances.size() / 4];
   const auto fits = [&](double distance) {
     const double multiple = distance / resolution;
     return multiple > 0.5 && std::abs(multiple - std::round(multiple)) < 0.25;
   };
-  double total = 0, steps = 0;
+  double total = resolution, steps = 1;
   for (const double distance : distances) {
     if (!fits(distance)) continue;
     total += distance;

@@ -18,7 +18,8 @@ struct StepFit {
   std::int64_t begin;     ///< first sample that is no longer at the level before
   std::int64_t duration;  ///< samples on the way from one level to the other, 0 for a sudden step
   double height;          ///< level after − level before
-  double standard_error;  ///< of the height, from the scatter of averages on both sides, so that slow noise is in it
+  double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
+  double standard_error;  ///< of the height: scatter, and what a drift may have added
 };
 
 /// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
@@ -51,7 +52,7 @@ class StepFitter {
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
     const Levels of_change = levels(located.change, located.reach);
-    return StepFit{located.change.begin, located.change.duration, of_change.height, of_change.error};
+    return StepFit{located.change.begin, located.change.duration, of_change.height, of_change.scatter, of_change.error};
   }
 
  private:
@@ -68,6 +69,7 @@ class StepFitter {
     std::int64_t reach;
   };
   static constexpr std::int64_t least_side = 16;
+  static constexpr double clearly_better = 0.5;
 
   /// The change within a range that lowers the sum of squares the most, and how far it is the only one. It is sudden
   /// unless a duration is better by five standard deviations.
@@ -159,12 +161,14 @@ class StepFitter {
   /// The levels on both sides and what they say of the height.
   struct Levels {
     double height = 0;
-    double error = INFINITY;     ///< standard error of the height and what a drift may add, root of the sum of squares
+    double scatter = INFINITY;   ///< standard error of the height
+    double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
     double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
   };
 
-  /// From windows of half, one and two times the reach, with or without a slope common to both sides: the estimate with
-  /// the smallest mean squared error. A wide window averages more, a narrow one leaves less to drifts and random walks.
+  /// From windows of half, one and two times the reach, with or without a slope common to both sides: the widest
+  /// unless another one has a clearly smaller error. A wide window averages more, a narrow one leaves less to drifts
+  /// and random walks.
   [[nodiscard]] Levels levels(const Change& change, std::int64_t reach) const {
     Levels best;
     for (const std::int64_t width : {2 * reach, reach, reach / 2}) {
@@ -173,7 +177,7 @@ class StepFitter {
       const Range left{std::max<std::int64_t>(0, before - width), before}, right{after, std::min(size_, after + width)};
       if (left.size() < least_side || right.size() < least_side) continue;
       for (const Levels& some : of_sides(Side(*this, left), Side(*this, right))) {
-        if (some.error < best.error) best = some;
+        if (some.error < clearly_better * best.error) best = some;
       }
     }
     return best;
@@ -205,13 +209,13 @@ class StepFitter {
   /// Without and with a slope.
   [[nodiscard]] static std::array<Levels, 2> of_sides(const Side& left, const Side& right) {
     const double spread = left.xx + right.xx, slope = (left.xy + right.xy) / spread, distance = right.x - left.x;
-    const double scatter = left.yy + right.yy;
-    const double flat = scatter / (2 * pieces - 2), sloped = (scatter - slope * slope * spread) / (2 * pieces - 3);
+    const double products = left.yy + right.yy;
+    const double flat = products / (2 * pieces - 2), sloped = (products - slope * slope * spread) / (2 * pieces - 3);
     const double shares = 1 / left.samples + 1 / right.samples;
-    const double drift = std::max(0.0, slope * slope - sloped / spread) * distance * distance;
-    return {Levels{right.y - left.y, std::sqrt(flat * shares + drift), flat},
-            Levels{right.y - left.y - slope * distance, std::sqrt(sloped * (shares + distance * distance / spread)),
-                   sloped}};
+    const double scatter = std::sqrt(flat * shares);
+    const double scatter_about_slope = std::sqrt(sloped * (shares + distance * distance / spread));
+    return {Levels{right.y - left.y, scatter, std::hypot(scatter, slope * distance), flat},
+            Levels{right.y - left.y - slope * distance, scatter_about_slope, scatter_about_slope, sloped}};
   }
 
   [[nodiscard]] static double at(const std::vector<double>& values, std::int64_t i) {

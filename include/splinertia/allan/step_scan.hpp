@@ -15,6 +15,10 @@ namespace splinertia::allan {
 /// Samples that find_steps() averages before it looks for changes.
 inline constexpr std::int64_t step_block = 16;
 
+/// Differences of averages up to here are rounding errors of the sums they come from, where the largest sample is
+/// near 1.
+inline constexpr double step_rounding = 1e-10;
+
 /// A place at which the means on both sides differ more than they usually do in this signal. All in blocks.
 struct StepCandidate {
   std::int64_t place;   ///< first block after the change
@@ -80,7 +84,8 @@ inline void clip_knocks(std::vector<double>& means) {
 /// Compares the means of neighbouring windows of many widths, at every eighth of a width.
 class StepScan {
  public:
-  /// Of the means of blocks, less than half a million samples … any number; `least` is the smallest height of interest.
+  /// Of the means of blocks. `false_alarms` is the probability of any candidate in Gaussian noise. `least` is the
+  /// smallest height of interest, which is what counts where the signal is usually constant; 0 for none.
   StepScan(const std::vector<double>& means, double false_alarms, double least)
       : blocks_(static_cast<std::int64_t>(means.size())), least_(least) {
     sums_.reserve(means.size() + 1);
@@ -130,7 +135,8 @@ class StepScan {
     magnitudes_.clear();
     const std::int64_t stride = std::max(std::max<std::int64_t>(1, width / 8), (last - first) / sample_size);
     for (std::int64_t i = first; i <= last; i += stride) magnitudes_.push_back(std::abs(difference(i)));
-    return usual_size(magnitudes_);
+    const double size = usual_size(magnitudes_);
+    return size > step_rounding ? size : 0;
   }
 
   /// Degrees of freedom of the usual size: measured, about three for four widths.

@@ -54,10 +54,8 @@ class StepSearch {
   [[nodiscard]] std::vector<Step>& steps() { return steps_; }
 
  private:
-  /// A change must be so many of its own standard errors: of the scatter right beside it, which a knock increases.
-  static constexpr double least_errors = 6;
-  /// In units of signal.unit(): what the rounding errors of the sums may amount to.
-  static constexpr double rounding = 1e-10;
+  /// A change must be so many times the scatter right beside it, which a knock increases.
+  static constexpr double least_scatter = 7;
 
   /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
   [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
@@ -77,16 +75,9 @@ class StepSearch {
     };
     if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
     if (std::any_of(rejected_.begin(), rejected_.end(), stands_for)) return;
-    samples_.clear();
-    for (std::int64_t i = window.begin; i < window.end; ++i) {
-      const auto block = static_cast<std::size_t>(i / step_block);
-      const bool knock = clipped_[block] != means_[block];
-      samples_.push_back(knock ? clipped_[block] : mean(i, i + 1));
-    }
-    const std::optional<StepFit> fit =
-        StepFitter(samples_).fit(candidate.before * step_block, candidate.width * step_block);
-    const double least = std::max(least_, rounding);
-    if (!fit || !(std::abs(fit->height) >= std::max(least, least_errors * fit->standard_error))) {
+    const std::optional<StepFit> fit = fit_within(window, candidate);
+    const double least = std::max(least_, step_rounding);
+    if (!fit || !(std::abs(fit->height) >= std::max(least, least_scatter * fit->scatter))) {
       rejected_.push_back(candidate);
       return;
     }
@@ -95,6 +86,20 @@ class StepSearch {
     taken_.push_back({first - margin, last + margin});
     const auto unit = static_cast<double>(signal_.unit());
     steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
+  }
+
+  /// Nothing where a quarter of the window are knocks.
+  std::optional<StepFit> fit_within(const SampleSpan& window, const StepCandidate& candidate) {
+    samples_.clear();
+    std::int64_t knocked = 0;
+    for (std::int64_t i = window.begin; i < window.end; ++i) {
+      const auto block = static_cast<std::size_t>(i / step_block);
+      const bool knock = std::abs(clipped_[block] - means_[block]) > step_rounding;
+      samples_.push_back(knock ? clipped_[block] : mean(i, i + 1));
+      if (knock) ++knocked;
+    }
+    if (4 * knocked >= window.size()) return std::nullopt;
+    return StepFitter(samples_).fit(candidate.before * step_block, candidate.width * step_block);
   }
 
   const IntegratedSignal<Scalar>& signal_;
