@@ -54,8 +54,8 @@ class StepSearch {
   [[nodiscard]] std::vector<Step>& steps() { return steps_; }
 
  private:
-  /// A change must be so many times the scatter right beside it, which a knock increases.
-  static constexpr double least_scatter = 7;
+  /// A change must be so many times the scatter right beside it, which a knock increases, and its standard error.
+  static constexpr double least_scatter = 7, least_errors = 5;
 
   /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
   [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
@@ -76,13 +76,14 @@ class StepSearch {
     if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
     if (std::any_of(rejected_.begin(), rejected_.end(), stands_for)) return;
     const std::optional<StepFit> fit = fit_within(window, candidate);
-    const double least = std::max(least_, step_rounding);
-    if (!fit || !(std::abs(fit->height) >= std::max(least, least_scatter * fit->scatter))) {
+    const bool is_step = fit && std::abs(fit->height) >= std::max({least_, step_rounding, least_scatter * fit->scatter,
+                                                                   least_errors * fit->standard_error});
+    if (!is_step) {
       rejected_.push_back(candidate);
       return;
     }
     const std::int64_t first = window.begin + fit->begin, last = first + fit->duration;
-    const std::int64_t margin = fit->duration + step_block;  // a slow change may begin and end smoothly
+    const std::int64_t margin = 2 * fit->duration + step_block;  // a slow change may begin and end smoothly
     taken_.push_back({first - margin, last + margin});
     const auto unit = static_cast<double>(signal_.unit());
     steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
