@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+/// When and by how much a signal changed its mean: the second half of find_steps().
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// A change of the mean within a window of samples.
+struct StepFit {
+  std::int64_t begin;     ///< first sample that is no longer at the level before
+  std::int64_t duration;  ///< samples on the way from one level to the other, 0 for a sudden step
+  double height;          ///< level after − level before
+  double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
+  double standard_error;  ///< of the height: scatter, and what a drift may have added
+};
+
+/// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
+class StepFitter {
+ public:
+  /// The window less a line of this slope [per sample]. Keeps a reference to the window.
+  explicit StepFitter(const std::vector<double>& window, double slope = 0)
+      : window_(window), size_(static_cast<std::int64_t>(window.size())) {
+    double mean = 0;
+    for (const double y : window) mean += y;
+    mean /= static_cast<double>(window.size());
+    sums_.reserve(window.size() + 1);
+    double_sums_.reserve(window.size() + 2);
+    sums_.push_back(0);
+    double_sums_.push_back(0);
+    double line = slope * static_cast<double>(size_ - 1) / 2 - mean;
+    for (const double y : window) {
+      double_sums_.push_back(double_sums_.back() + sums_.back());
+      sums_.push_back(sums_.back() + (y + line));
+      line -= slope;
+    }
+    double_sums_.push_back(double_sums_.back() + sums_.back());
+  }
+
+  /// The change that begins and ends within `reach` samples of `place`, and up to 2·`reach` samples on either side for
+  /// the levels. Its error is infinite if a level has fewer than 16 samples, none if the window has fewer than 32.
+  [[nodiscard]] std::optional<StepFit> fit(std::int64_t place, std::int64_t reach) const {
+    const Range range{std::max(least_side, place - reach), std::min(size_ - least_side, place + reach)};
+    if (range.size() < 0) return std::nullopt;
+    const double slope = slope_outside({place - reach, place + reach});
+    const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
+    const Levels of_change = levels(located.change, located.reach);
+    return StepFit{located.change.begin, located.change.duration, of_change.height, of_change.scatter, of_change.error};
+  }
+
+ private:
+  struct Range {
+    std::int64_t begin, end;
+    [[nodiscard]] std::int64_t size() const { return end - begin; }
+  };
+  struct Change {
+    std::int64_t begin, duration;
+    double gain;  ///< by how much it lowers the sum of squares
+  };
+  struct Located {
+    Change change;
+    std::int64_t reach;
+  };
+  static constexpr std::int64_t least_side = 16;
+  static constexpr double clearly_better = 0.5;
+
+  /// The change within a range that lowers the sum of squares the most, and how far it is the only one. It is sudden
+  /// unless a duration is better by five standard deviations.
+  [[nodiscard]] Located locate(Range range, std::int64_t reach) const {
+    const Change sudden = best_of_duration(range, 0);
+    Change best = sudden;
+    for (std::int64_t duration = 1; duration <= range.size(); duration += (duration + 3) / 4) {
+      const Change change = best_of_duration(range, duration);
+      if (change.gain > best.gain) best = change;
+    }
+    best = refine(range, best);
+    if (best.duration == 0) return {best, reach};
+    const double clearly = 25 * levels(best, reach).variance;
+    if (best.gain - sudden.gain < clearly) return {sudden, reach};
+    // Two sudden steps may do better than one that takes long: then the window is too wide for the higher one.
+    const Range left{range.begin, sudden.begin - least_side}, right{sudden.begin + least_side, range.end};
+    const Change second_left = best_split({0, sudden.begin}, left);
+    const Change second_right = best_split({sudden.begin, size_}, right);
+    const Change& second = second_left.gain > second_right.gain ? second_left : second_right;
+    if (sudden.gain + second.gain <= best.gain + clearly) return {best, reach};
+    return {sudden, std::min(reach, std::abs(second.begin - sudden.begin) / 2)};
+  }
+
+  /// The slope of the samples outside a range, 0 where it is less than three standard errors.
+  [[nodiscard]] double slope_outside(Range range) const {
+    double xx = 0, xy = 0, yy = 0;
+    int count = 0;
+    for (const Range& outside : {Range{0, range.begin}, Range{range.end, size_}}) {
+      if (outside.size() < least_side) continue;
+      const Side side(*this, outside);
+      xx += side.xx;
+      xy += side.xy;
+      yy += side.yy;
+      count += pieces - 1;
+    }
+    return count > 0 && xy * xy > 9 * xx * (yy - xy * xy / xx) / (count - 1) ? xy / xx : 0;
+  }
+
+  /// The sum of squares that the ramp from sample `begin` on explains. The ramp is the mean of the sudden steps at
+  /// begin, begin + 1, …, begin + duration.
+  [[nodiscard]] double gain(std::int64_t begin, std::int64_t duration) const {
+    const auto steps = static_cast<double>(duration + 1), after = static_cast<double>(size_ - begin - duration);
+    const auto d = static_cast<double>(duration), n = static_cast<double>(size_);
+    const double product = -(at(double_sums_, begin + duration + 1) - at(double_sums_, begin)) / steps;
+    const double sum = after + d / 2, squares = after + d * (2 * d + 1) / (6 * steps);
+    const double norm = squares - sum * sum / n;
+    return norm > 0 ? product * product / norm : 0;
+  }
+
+  [[nodiscard]] Change best_of_duration(Range range, std::int64_t duration) const {
+    Change best{range.begin, duration, -1};
+    const std::int64_t stride = std::max<std::int64_t>(1, duration / 8);
+    for (std::int64_t begin = range.begin; begin + duration <= range.end; begin += stride) {
+      const double of_this = gain(begin, duration);
+      if (of_this > best.gain) best = {begin, duration, of_this};
+    }
+    return best;
+  }
+
+  /// Climbs from a change of the grid to the best one near it.
+  [[nodiscard]] Change refine(Range range, Change best) const {
+    for (std::int64_t stride = best.duration / 8; stride >= 1;) {
+      const Change last = best;
+      for (const auto& [shift, growth] : {std::pair<int, int>{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, 1}, {1, -1}}) {
+        const std::int64_t begin = last.begin + shift * stride, duration = last.duration + growth * stride;
+        if (duration < 0 || begin < range.begin || begin + duration > range.end) continue;
+        const double of_this = gain(begin, duration);
+        if (of_this > best.gain) best = {begin, duration, of_this};
+      }
+      if (best.gain == last.gain) stride /= 2;
+    }
+    return best;
+  }
+
+  /// The sudden step within these samples alone that begins in a range of them.
+  [[nodiscard]] Change best_split(Range samples, Range range) const {
+    const auto [begin, end] = samples;
+    Change best{begin, 0, 0};
+    const double total = at(sums_, end) - at(sums_, begin), count = static_cast<double>(end - begin);
+    for (std::int64_t i = std::max(range.begin, begin + 1); i < std::min(range.end, end); ++i) {
+      const auto before = static_cast<double>(i - begin);
+      const double product = at(sums_, i) - at(sums_, begin) - total * before / count;
+      const double of_this = product * product * count / (before * (count - before));
+      if (of_this > best.gain) best = {i, 0, of_this};
+    }
+    return best;
+  }
+
+  /// The levels on both sides and what they say of the height.
+  struct Levels {
+    double height = 0;
+    double scatter = INFINITY;   ///< standard error of the height
+    double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
+    double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
+  };
+
+  /// From windows of two, one and half times the reach: the widest, unless another one has a clearly smaller error. A
+  /// wide window averages more, a narrow one leaves less to drifts and random walks.
+  [[nodiscard]] Levels levels(const Change& change, std::int64_t reach) const {
+    Levels best;
+    for (const std::int64_t width : {2 * reach, reach, reach / 2}) {
+      const std::int64_t room = change.duration / 4;  // for a change that begins or ends smoothly
+      const std::int64_t before = change.begin - room, after = change.begin + change.duration + room;
+      const Range left{std::max<std::int64_t>(0, before - width), before}, right{after, std::min(size_, after + width)};
+      if (left.size() < least_side || right.size() < least_side) continue;
+      const Levels some = of_sides(Side(*this, left), Side(*this, right));
+      if (some.error < clearly_better * best.error) best = some;
+    }
+    return best;
+  }
+
+  static constexpr int pieces = 8;  ///< of a side, of which averages are compared
+
+  /// Averages of the pieces of one side: their mean place and value, and the products about these, times samples.
+  struct Side {
+    Side(const StepFitter& fitter, Range range) {
+      const std::int64_t length = (range.end - range.begin) / pieces;
+      const std::int64_t begin = range.end - length * pieces;
+      samples = static_cast<double>(length * pieces);
+      x = static_cast<double>(begin) + samples / 2;
+      y = (at(fitter.sums_, range.end) - at(fitter.sums_, begin)) / samples;
+      for (int i = 0; i < pieces; ++i) {
+        const std::int64_t first = begin + i * length;
+        const auto count = static_cast<double>(length);
+        const double dx = static_cast<double>(first) + count / 2 - x;
+        const double dy = (at(fitter.sums_, first + length) - at(fitter.sums_, first)) / count - y;
+        xx += count * dx * dx;
+        xy += count * dx * dy;
+        yy += count * dy * dy;
+      }
+    }
+    double samples, x, y, xx = 0, xy = 0, yy = 0;
+  };
+
+  /// The slope common to both sides is taken off as far as it is certain, by the factor 1 − 3/t² of James and Stein,
+  /// t being the slope over its standard error. What is left of it is in the error.
+  [[nodiscard]] static Levels of_sides(const Side& left, const Side& right) {
+    const double spread = left.xx + right.xx, slope = (left.xy + right.xy) / spread, distance = right.x - left.x;
+    const double products = left.yy + right.yy;
+    const double flat = products / (2 * pieces - 2), sloped = (products - slope * slope * spread) / (2 * pieces - 3);
+    const double variance = std::min(flat, sloped), shares = 1 / left.samples + 1 / right.samples;
+    const double uncertain = 3 * sloped / spread, share = std::max(0.0, 1 - uncertain / (slope * slope));
+    const double drift = std::min(sloped / spread, slope * slope / 3) * distance * distance;
+    return {right.y - left.y - share * slope * distance, std::sqrt(variance * shares),
+            std::sqrt(variance * shares + drift), variance};
+  }
+
+  [[nodiscard]] static double at(const std::vector<double>& values, std::int64_t i) {
+    return values[static_cast<std::size_t>(i)];
+  }
+
+  const std::vector<double>& window_;
+  std::int64_t size_;
+  std::vector<double> sums_;         ///< of the samples about their mean, from 0
+  std::vector<double> double_sums_;  ///< Σ of the first i sums
+};
+
+}  // namespace splinertia::allan
