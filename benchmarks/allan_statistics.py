@@ -182,7 +182,7 @@ class Share:
 
 def warned(row):
     """Whether the output says that the model does not describe the log."""
-    return row["fits"] == 0
+    return row["adequacy"] > 0
 
 
 def terms_of(rows):

@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <ctime>
 #include <span>
+#include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/deviation_misfit.hpp>
 #include <splinertia/allan/identify.hpp>
 #include <string>
 #include <vector>
@@ -34,6 +36,7 @@ struct Misfit {
 /// What is known of one log.
 struct Analysis {
   allan::NoiseEstimates<double> noise;
+  int adequacy = 0;    // allan::Adequacy
   double seconds = 0;  ///< that identification took the processor, whatever else runs
   Misfit misfit;
 };
@@ -53,30 +56,15 @@ bool read_log(std::vector<double>& log) {
                               std::to_string(expected));
 }
 
-/// The power law of the spectrum of the term that rules the model at this averaging time.
-int power_law(const allan::NoiseEstimates<double>& noise, double tau) {
-  double largest = 0;
-  int alpha = 0;
-  for (const allan::NoiseTerm term : allan::noise_terms) {
-    const double variance = noise[term].value * noise[term].value * allan_variance(term, tau);
-    if (!noise[term].detected || variance <= largest) continue;
-    largest = variance;
-    alpha = term == allan::NoiseTerm::white              ? 0
-            : term == allan::NoiseTerm::bias_instability ? -1
-            : term == allan::NoiseTerm::quantization     ? 2
-                                                         : -2;
-  }
-  return alpha;
-}
-
 /// If the model is true, the ratio of the variances times the degrees of freedom is chi-square, and the cube root of
 /// the ratio normal (Wilson and Hilferty, PNAS 17 (1931)).
 void add_misfit(const allan::IntegratedSignal<double>& signal, const allan::NoiseEstimates<double>& noise,
                 Misfit& misfit) {
   using Deviation = allan::OverlappingAllanDeviation;
   for (const auto& point : allan::curve<Deviation>(signal, {.alpha = 0}).points) {
-    const double freedom = allan::degrees_of_freedom<Deviation>(power_law(noise, point.tau), point.factor,
-                                                                signal.samples(), allan::PhaseModel::sampled);
+    const int alpha = allan::ruling_power_law(noise.descriptions.front(), point.tau, noise.duration);
+    const double freedom =
+        allan::degrees_of_freedom<Deviation>(alpha, point.factor, signal.samples(), allan::PhaseModel::sampled);
     const double ratio = point.deviation / noise.deviation(point.tau), spread = 2 / (9 * freedom);
     const double excess = (std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread);
     misfit.above = std::max(misfit.above, -excess);
@@ -92,10 +80,13 @@ Analysis analyse(const std::vector<double>& log, const Options& options) {
   }
   Analysis result;
   if (options.axes == 1) {
-    result.noise = allan::identify(signals.front());
+    const auto analysis = allan::analyse(std::span<const double>(log), options.rate);
+    result.noise = analysis.noise;
+    result.adequacy = static_cast<int>(analysis.adequacy());
   } else {
     result.noise =
         allan::identify_pooled(std::vector<allan::DifferenceSpectrum<double>>(signals.begin(), signals.end()));
+    if (!result.noise.fits || result.noise.agreement_probability < 0.01) result.adequacy = 2;
   }
   result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   for (const auto& signal : signals) add_misfit(signal, result.noise, result.misfit);
@@ -107,9 +98,8 @@ std::vector<Field> fields(const Analysis& analysis) {
   std::vector<Field> result;
   for (const allan::NoiseTerm term : allan::noise_terms) {
     const auto& estimate = analysis.noise[term];
-    const auto add = [&](const char* name, double value) {
-      result.push_back({std::string(allan::symbol(term)) + "_" + name, value});
-    };
+    const std::string symbol(term == allan::NoiseTerm::gauss_markov ? "sigma" : allan::symbol(term));
+    const auto add = [&](const char* name, double value) { result.push_back({symbol + "_" + name, value}); };
     add("detected", estimate.detected ? 1 : 0);
     add("value", estimate.value);
     add("lower", estimate.interval.lower);
@@ -117,6 +107,15 @@ std::vector<Field> fields(const Analysis& analysis) {
     add("one_sigma_lower", estimate.one_sigma.lower);
     add("one_sigma_upper", estimate.one_sigma.upper);
   }
+  const auto& bias = analysis.noise.G;
+  result.push_back({"tau_detected", bias.detected ? 1.0 : 0.0});
+  result.push_back({"tau_value", bias.time});
+  result.push_back({"tau_lower", bias.time_interval.lower});
+  result.push_back({"tau_upper", bias.time_interval.upper});
+  result.push_back({"tau_one_sigma_lower", bias.time});
+  result.push_back({"tau_one_sigma_upper", bias.time});
+  result.push_back({"adequacy", static_cast<double>(analysis.adequacy)});
+  result.push_back({"descriptions", static_cast<double>(analysis.noise.descriptions.size())});
   result.push_back({"fits", analysis.noise.fits ? 1.0 : 0.0});
   result.push_back({"highest_frequency", analysis.noise.highest_frequency});
   result.push_back({"model_above", analysis.misfit.above});

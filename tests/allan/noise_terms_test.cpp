@@ -141,10 +141,10 @@ TEST_CASE("Estimates by term, and the deviation that the best description adds u
   estimates.descriptions.front() = {
       .terms = NoiseTerms::all(), .values = values, .correlation_time = 3, .decay_time = 11};
   const double floor = 2 * std::numbers::ln2 / std::numbers::pi;
-  CHECK_THAT(estimates.deviation(2.0),
-             WithinRel(std::sqrt(1.0 / 2 + 4.0 * 2 / 3 + 9 * floor + 16.0 * 3 / 4 + 25.0 * 4 / 2 +
-                                 36 * gauss_markov_allan_variance(2.0, 3.0) + 49 * warm_up_allan_variance(2.0, 11.0, 50.0)),
-                       1e-14));
+  CHECK_THAT(estimates.deviation(2.0), WithinRel(std::sqrt(1.0 / 2 + 4.0 * 2 / 3 + 9 * floor + 16.0 * 3 / 4 +
+                                                           25.0 * 4 / 2 + 36 * gauss_markov_allan_variance(2.0, 3.0) +
+                                                           49 * warm_up_allan_variance(2.0, 11.0, 50.0)),
+                                                 1e-14));
 }
 
 TEST_CASE("The Allan variance of a Gauss-Markov bias is that of its covariance") {
@@ -153,15 +153,16 @@ TEST_CASE("The Allan variance of a Gauss-Markov bias is that of its covariance")
     INFO("tau " << tau);
     // Half the variance of the difference of neighbouring averages: γ(0..τ) twice, less the covariance across.
     const long double x = static_cast<long double>(tau) / time;
-    const long double within = 2 / x * (1 + std::expm1(-x) / x);        // of one average
+    const long double within = 2 / x * (1 + std::expm1(-x) / x);         // of one average
     const long double across = std::expm1(-x) * std::expm1(-x) / x / x;  // of two neighbours
     const double exact = static_cast<double>(within - across);
     // The difference cancels for small x: there the limit is a random walk's K²τ/3 with K² = 2/T.
     const double reference = x < 1e-3L ? 2 * tau / (3 * time) : exact;
     CHECK_THAT(gauss_markov_allan_variance(tau, time), WithinRel(reference, x < 1e-3L ? 1e-3 : 1e-4));
   }
-  CHECK_THAT(gauss_markov_allan_variance(60.0, 7.0),
-             WithinRel(2 / (60.0 / 7) * (1 - (3 - 4 * std::exp(-60.0 / 7) + std::exp(-120.0 / 7)) / (120.0 / 7)), 1e-13));
+  CHECK_THAT(
+      gauss_markov_allan_variance(60.0, 7.0),
+      WithinRel(2 / (60.0 / 7) * (1 - (3 - 4 * std::exp(-60.0 / 7) + std::exp(-120.0 / 7)) / (120.0 / 7)), 1e-13));
 }
 
 TEST_CASE("The Allan variance of a warm-up is that of its averages over the log") {

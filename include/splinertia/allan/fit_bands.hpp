@@ -21,7 +21,11 @@ class FitBands {
 
   /// Of a fit's result; a ratio off by less than `tolerance` is no misfit.
   FitBands(const Fit& fit, const typename Fit::Result& result, bool trend, Scalar tolerance)
-      : bins_(fit.spectrum().bins()), all_(fit.compare(result, trend)), tolerance_(tolerance) {}
+      : bins_(fit.spectrum().bins()),
+        all_(fit.compare(result, trend)),
+        rate_(fit.spectrum().rate()),
+        unit_(fit.spectrum().unit()),
+        tolerance_(tolerance) {}
 
   struct Window {
     std::size_t begin, end;  ///< bins
@@ -78,6 +82,27 @@ class FitBands {
     return octaves;
   }
 
+  /// All bins, eight an octave, those of one point all used or all not.
+  [[nodiscard]] std::vector<SpectrumPoint<Scalar>> spectrum(const std::vector<bool>& included) const {
+    std::vector<SpectrumPoint<Scalar>> points;
+    const Scalar scale = unit_ / std::sqrt(rate_);
+    for (std::size_t begin = 0, end = 0; begin < bins_.size(); begin = end) {
+      while (end < bins_.size() && included[end] == included[begin] &&
+             12 * bins_[end].frequency <= 13 * bins_[begin].frequency) {
+        ++end;
+      }
+      Scalar power = 0, expected = 0, count = 0;
+      for (std::size_t i = begin; i < end; ++i) {
+        power += all_[i].residual / bins_[i].basis[0];
+        expected += all_[i].expected * bins_[i].count / bins_[i].basis[0];
+        count += bins_[i].count;
+      }
+      points.push_back({(bins_[begin].frequency + bins_[end - 1].frequency) / 2, std::sqrt(power / count) * scale,
+                        std::sqrt(expected / count) * scale, count, included[begin]});
+    }
+    return points;
+  }
+
   /// The bins [begin, end) together.
   [[nodiscard]] BandFit<Scalar> band(std::size_t begin, std::size_t end) const {
     Scalar power = 0, expected = 0, count = 0;
@@ -115,6 +140,7 @@ class FitBands {
 
   const std::vector<typename Fit::Spectrum::Bin>& bins_;
   std::vector<typename Fit::Comparison> all_;
+  Scalar rate_, unit_;
   Scalar tolerance_;
 };
 

@@ -14,12 +14,12 @@ namespace splinertia::allan {
 
 /// Which sets of terms describe a log.
 ///
-/// A model costs −2·log-likelihood and 3 for each parameter, 9 for the slope of a trend: a walk of which a log holds few
-/// independent periods looks like a ramp more often than Gaussian theory says. What costs up to 6 more than the best is
-/// as good a description as far as this log can tell: a term more has to gain 9, which one that is not there does in
-/// one log in 700 (Wilks; at the border θ = 0), and the truth, if it is one of the models, is among the descriptions in
-/// 99 % of logs (measured: docs/allan.md). So what all descriptions have in common is in the log with that confidence,
-/// and what only some have may be in it or not.
+/// A model costs −2·log-likelihood and 3 for each parameter, 9 for the slope of a trend: a walk of which a log holds
+/// few independent periods looks like a ramp more often than Gaussian theory says. What costs up to 6 more than the
+/// best is as good a description as far as this log can tell: a term more has to gain 9, which one that is not there
+/// does in one log in 700 (Wilks; at the border θ = 0), and the truth, if it is one of the models, is among the
+/// descriptions in 99 % of logs (measured: docs/allan.md). So what all descriptions have in common is in the log with
+/// that confidence, and what only some have may be in it or not.
 template <typename Scalar>
 class ModelSelection {
  public:
@@ -59,15 +59,15 @@ class ModelSelection {
   }
 
   [[nodiscard]] const Likelihood& likelihood() const { return likelihood_; }
-  /// What describes the log as well as the best, the cheapest first.
-  [[nodiscard]] std::vector<Model> plausible_models() const {
+  /// The best, and those whose parameters pay for themselves as well: the cheapest first.
+  [[nodiscard]] std::vector<Model> best_models() const {
     std::vector<Model> found;
-    std::copy_if(models_.begin(), models_.end(), std::back_inserter(found), [&](const Model& model) {
-      return plausible(model);
-    });
+    std::copy_if(models_.begin(), models_.end(), std::back_inserter(found),
+                 [&](const Model& model) { return model.cost < best_cost_ + price; });
     return found;
   }
-  /// Of these, those that do not have all terms of another one and more.
+  /// What describes the log as well as the best, without models that have all terms of another one and more: the
+  /// cheapest first.
   [[nodiscard]] std::vector<Model> descriptions() const {
     std::vector<Model> found;
     for (const Model& model : models_) {
@@ -85,16 +85,14 @@ class ModelSelection {
                              [](const Model& a, const Model& b) { return a.cost < b.cost; });
   }
 
-  /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk.
+  /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk:
+  /// that it forgets must gain what its time costs.
   [[nodiscard]] bool detects(NoiseTerm term) const {
-    bool itself = false;
-    for (const Model& model : models_) {
-      if (!plausible(model)) continue;
-      if (!covers(model.terms, NoiseTerms{term})) return false;
-      itself = itself || (model.terms.has(term) &&
-                          !(term == NoiseTerm::random_walk && model.terms.has(NoiseTerm::gauss_markov)));
-    }
-    return itself;
+    const bool walk = term == NoiseTerm::random_walk;
+    if (!best().terms.has(term) || (walk && best().terms.has(NoiseTerm::gauss_markov))) return false;
+    return std::all_of(models_.begin(), models_.end(), [&](const Model& model) {
+      return !plausible(model) || model.terms.has(term) || (walk && model.terms.has(NoiseTerm::gauss_markov));
+    });
   }
 
  private:

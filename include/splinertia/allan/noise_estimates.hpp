@@ -46,6 +46,16 @@ struct BandFit {
   Scalar standard_error{};         ///< of the ratio, if the model is true
 };
 
+/// What the spectrum of a log is at a frequency, and what the best description has there.
+template <typename Scalar>
+struct SpectrumPoint {
+  Scalar frequency{};  ///< Hz
+  Scalar density{};    ///< two-sided, as N is, unit/√Hz; without the trend that was found
+  Scalar expected{};   ///< likewise
+  Scalar count{};      ///< degrees of freedom of the square of `density`
+  bool used{};         ///< false where bands were left out
+};
+
 /// One way to describe a log.
 template <typename Scalar>
 struct Description {
@@ -95,6 +105,8 @@ struct NoiseEstimates {
     const std::array<Estimate<Scalar>*, noise_terms.size()> all{&N, &K, &B, &Q, &R, &G, &W};
     return *all[static_cast<std::size_t>(term)];
   }
+
+  std::vector<SpectrumPoint<Scalar>> spectrum;  ///< from the lowest frequency up, about eight an octave; likewise
 
   /// What the terms of the best description add up to at averaging time tau [s].
   [[nodiscard]] Scalar deviation(const Scalar& tau) const {

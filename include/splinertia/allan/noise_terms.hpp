@@ -11,8 +11,8 @@
 
 namespace splinertia::allan {
 
-/// The noise terms of IEEE Std 952-1997, annex C, and two that real biases have beside them, in units of a signal u; the
-/// terms of imu/ that simulate them.
+/// The noise terms of IEEE Std 952-1997, annex C, and two that real biases have beside them, in units of a signal u;
+/// the terms of imu/ that simulate them.
 enum class NoiseTerm : std::size_t {
   white,             ///< N, angle or velocity random walk, u/√Hz (WhiteNoise)
   random_walk,       ///< K, rate random walk, u/s/√Hz (RandomWalk)
@@ -94,8 +94,8 @@ template <typename Scalar>
   return Scalar(0);
 }
 
-/// What a Gauss-Markov bias of standard deviation 1 u and this correlation time [s] has at averaging time tau [s], in u²:
-/// 2/x·(1 − (3 − 4e^(−x) + e^(−2x))/(2x)) with x = tau/correlation_time. IEEE Std 952-1997, C.1.5 (there with the
+/// What a Gauss-Markov bias of standard deviation 1 u and this correlation time [s] has at averaging time tau [s], in
+/// u²: 2/x·(1 − (3 − 4e^(−x) + e^(−2x))/(2x)) with x = tau/correlation_time. IEEE Std 952-1997, C.1.5 (there with the
 /// density of what drives it). Below x = 1/100 by its series 2x/3·(1 − 3x/4), which is within 4e-5 there.
 template <typename Scalar>
 [[nodiscard]] Scalar gauss_markov_allan_variance(const Scalar& tau, const Scalar& correlation_time) {
@@ -107,7 +107,8 @@ template <typename Scalar>
 }
 
 /// What a drift exp(−t/decay_time), t = 0 … duration, has at averaging time tau [s], averaged over all places of the
-/// log where two averages fit: half the square of (1 − e^(−x))²/x, x = tau/decay_time, times the mean of e^(−2t/decay_time) over them.
+/// log where two averages fit: half the square of (1 − e^(−x))²/x, x = tau/decay_time, times the mean of
+/// e^(−2t/decay_time) over them.
 template <typename Scalar>
 [[nodiscard]] Scalar warm_up_allan_variance(const Scalar& tau, const Scalar& decay_time, const Scalar& duration) {
   const Scalar x = tau / decay_time, lost = -std::expm1(-x);

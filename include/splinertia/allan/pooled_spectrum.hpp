@@ -19,9 +19,9 @@ class PooledSpectrum {
   static constexpr int powers = DifferenceSpectrum<Scalar>::powers;
 
   struct Bin {
-    Scalar frequency;                         ///< Hz
-    Scalar count, power;                      ///< of b_k, and Σ b_k² in unit()²
-    Eigen::Matrix<Scalar, powers, 1> basis;   ///< N²·rate, K²/rate, B², Q²·rate² of 1
+    Scalar frequency;                           ///< Hz
+    Scalar count, power;                        ///< of b_k, and Σ b_k² in unit()²
+    Eigen::Matrix<Scalar, powers, 1> basis;     ///< N²·rate, K²/rate, B², Q²·rate² of 1
     Scalar ramp_square, odd_count, even_count;  ///< of one spectrum
   };
   /// What a bin of one spectrum says about a trend.

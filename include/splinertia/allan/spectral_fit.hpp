@@ -45,7 +45,7 @@ class SpectralFit {
 
   /// What a model has besides coefficients.
   struct Times {
-    Scalar correlation{};  ///< of the Gauss–Markov bias, s
+    Scalar correlation{};                                    ///< of the Gauss–Markov bias, s
     Scalar decay = std::numeric_limits<Scalar>::infinity();  ///< of the trend, s; infinite: a ramp
   };
 
@@ -216,8 +216,8 @@ class SpectralFit {
     const auto& bin = spectrum_->bins()[i];
     if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
     const auto means = spectrum_->trend_means(bin, decay_time);
-    return {means.odd, means.even,
-            bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even, false};
+    return {means.odd, means.even, bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even,
+            false};
   }
   [[nodiscard]] Scalar product_of(std::size_t i, std::size_t a, const TrendBin& trend) const {
     const auto& sums = spectrum_->trend_sums()[a][i];

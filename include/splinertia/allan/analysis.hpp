@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/// The whole analysis of a static signal: the curve, the noise terms, and what tells when not to believe them.
+///
+///   const auto analysis = allan::analyse(gyro_x, 200.0);
+///   if (analysis.adequacy() != allan::Adequacy::inadequate) use(analysis.noise.N.value);
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/deviation_misfit.hpp>
+#include <splinertia/allan/freezes.hpp>
+#include <splinertia/allan/identify.hpp>
+#include <splinertia/allan/noise_estimates.hpp>
+#include <splinertia/allan/resolution.hpp>
+#include <splinertia/allan/steps.hpp>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// How far a model describes a log.
+enum class Adequacy {
+  adequate,   ///< all of it
+  partial,    ///< but for what is named: bands that were left out, steps; what is reported holds without these
+  inadequate  ///< not: intervals do not hold
+};
+
+/// A signal's curve and noise terms, and what is wrong with it.
+template <typename Scalar>
+struct Analysis {
+  Curve<Scalar> curve;  ///< overlapping Allan deviation
+  NoiseEstimates<Scalar> noise;
+  std::vector<DeviationMisfit<Scalar>> misfits;  ///< between the two
+  std::vector<Step> steps;
+  std::vector<SampleSpan> freezes;
+  std::optional<Scalar> resolution;  ///< unit of the signal, if it shows
+  RoundingEffect rounding = RoundingEffect::none;
+  bool used_to_the_end = true;  ///< no octaves at the upper end of the spectrum were left out
+
+  [[nodiscard]] Adequacy adequacy() const {
+    const bool left_out = !noise.excluded.empty() || !used_to_the_end;
+    if (!noise.fits || !freezes.empty() || rounding == RoundingEffect::invalid) return Adequacy::inadequate;
+    if (!left_out && steps.empty()) return misfits.empty() ? Adequacy::adequate : Adequacy::inadequate;
+    return Adequacy::partial;
+  }
+};
+
+/// Takes back that terms were detected: what shows of them has another cause, and no more than a limit is left.
+template <typename Scalar>
+void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
+  for (const NoiseTerm term : noise_terms) {
+    Estimate<Scalar>& estimate = noise[term];
+    if (!terms.has(term)) continue;
+    estimate.possible = estimate.possible || estimate.detected;
+    estimate.detected = false;
+    estimate.interval.lower = estimate.one_sigma.lower = Scalar(0);
+  }
+}
+
+/// Curve, identification and checks of a signal; `spectrum` is that of the signal. Of a log with steps or freezes no
+/// slow term is detected, because a step looks like a walk. Throws as identify() and curve() do.
+template <Signal S, typename Scalar = ScalarOfSignal<S>>
+[[nodiscard]] Analysis<Scalar> analyse(const S& samples, const IntegratedSignal<Scalar>& signal,
+                                       const DifferenceSpectrum<Scalar>& spectrum,
+                                       const IdentifyOptions<Scalar>& options = {}) {
+  Analysis<Scalar> result{.curve = curve<OverlappingAllanDeviation>(signal),
+                          .noise = Identification<Scalar>({&spectrum, 1}, options).estimates()};
+  result.freezes = find_freezes(samples);
+  result.steps = find_steps(signal, {.left_out = result.freezes});
+  if (const auto resolution = find_resolution(samples)) {
+    result.resolution = static_cast<Scalar>(*resolution);
+    const Scalar deviation = result.noise.N.value * std::sqrt(signal.rate());
+    result.rounding = rounding_effect(*resolution, static_cast<double>(deviation));
+  }
+  result.used_to_the_end = result.noise.highest_frequency >= signal.rate() / 2;
+  result.misfits = deviation_misfits(result.curve, result.noise);
+  using enum NoiseTerm;
+  if (!result.steps.empty() || !result.freezes.empty()) {
+    withhold(result.noise, {random_walk, bias_instability, rate_ramp, gauss_markov, warm_up});
+  }
+  if (result.adequacy() == Adequacy::inadequate) {
+    withhold(result.noise, {random_walk, bias_instability, quantization, rate_ramp, gauss_markov, warm_up});
+  }
+  return result;
+}
+
+/// Of a rate signal at `rate` samples a second.
+template <Signal S>
+[[nodiscard]] Analysis<ScalarOfSignal<S>> analyse(const S& samples, ScalarOfSignal<S> rate,
+                                                  const IdentifyOptions<ScalarOfSignal<S>>& options = {}) {
+  const IntegratedSignal<ScalarOfSignal<S>> signal(samples, rate);
+  return analyse(samples, signal, DifferenceSpectrum<ScalarOfSignal<S>>(signal), options);
+}
+
+}  // namespace splinertia::allan

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/noise_estimates.hpp>
+#include <splinertia/allan/noise_terms.hpp>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// The power law of the spectrum of the term that a model has most of at averaging time tau [s].
+template <typename Scalar>
+[[nodiscard]] int ruling_power_law(const Description<Scalar>& description, const Scalar& tau, const Scalar& duration) {
+  int alpha = 0;
+  Scalar largest = 0;
+  const auto compare = [&](Scalar variance, int power_law) {
+    if (variance <= largest) return;
+    largest = variance;
+    alpha = power_law;
+  };
+  for (const NoiseTerm term : standard_terms) {
+    const Scalar value = description.value(term);
+    compare(value * value * allan_variance(term, tau), term == NoiseTerm::white              ? 0
+                                                       : term == NoiseTerm::bias_instability ? -1
+                                                       : term == NoiseTerm::quantization     ? 2
+                                                                                             : -2);
+  }
+  const Scalar bias = description.value(NoiseTerm::gauss_markov), drift = description.value(NoiseTerm::warm_up);
+  if (bias > 0) {
+    const Scalar time = description.correlation_time;
+    compare(bias * bias * gauss_markov_allan_variance(tau, time), tau < time ? -2 : 0);
+  }
+  if (drift > 0) compare(drift * drift * warm_up_allan_variance(tau, description.decay_time, duration), -2);
+  return alpha;
+}
+
+/// Averaging times at which a measured deviation and a model's disagree.
+template <typename Scalar>
+struct DeviationMisfit {
+  Scalar shortest{}, longest{};  ///< averaging times, s
+  Scalar worst{};                ///< of these, the one with the least likely disagreement, s
+  Scalar ratio{};                ///< there, measured over model
+};
+
+/// Where the overlapping Allan deviation of a log is off that of the best description by more than chance explains, as
+/// four standard deviations of a normal number: if the model is true, the ratio of the squares times the degrees of
+/// freedom is chi-square, and its cube root normal (Wilson and Hilferty, PNAS 17 (1931)). Runs of neighbouring points
+/// with the same sign are one. The curve is of the signal whose estimates these are.
+template <typename Scalar>
+[[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const Curve<Scalar>& curve,
+                                                                     const NoiseEstimates<Scalar>& noise) {
+  constexpr int most_off = 4;
+  std::vector<DeviationMisfit<Scalar>> misfits;
+  Scalar worst_off = 0, last_sign = 0;
+  for (const auto& point : curve.points) {
+    const Scalar model = noise.deviation(point.tau);
+    if (!(model > 0) || !(point.deviation > 0)) continue;
+    const int alpha = ruling_power_law(noise.descriptions.front(), point.tau, noise.duration);
+    const auto freedom = static_cast<Scalar>(
+        degrees_of_freedom<OverlappingAllanDeviation>(alpha, point.factor, curve.samples, PhaseModel::sampled));
+    const Scalar ratio = point.deviation / model, spread = 2 / (9 * freedom);
+    const Scalar off = (std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread);
+    const Scalar sign = off > most_off ? Scalar(1) : off < -most_off ? Scalar(-1) : Scalar(0);
+    if (sign != 0 && sign != last_sign) {
+      misfits.push_back({point.tau, point.tau, point.tau, ratio});
+      worst_off = 0;
+    }
+    if (sign != 0) {
+      misfits.back().longest = point.tau;
+      if (std::abs(off) > worst_off) {
+        worst_off = std::abs(off);
+        misfits.back().worst = point.tau;
+        misfits.back().ratio = ratio;
+      }
+    }
+    last_sign = sign;
+  }
+  return misfits;
+}
+
+}  // namespace splinertia::allan
