@@ -142,7 +142,7 @@ function(write_python text)
   file(CHMOD "${out}/python" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endfunction()
 write_python("case $1 in
-  ${programs}/imu_bag.py) [ \"$#:$2:$4:$5:$6\" = '6:to-csv:-:--topic:/imu 0' ] && cat \"$3\";;
+  ${programs}/imu_bag.py) [ \"$#:$2:$4:$5:$6:$7\" = '7:to-csv:-:--name-topic:--topic:/imu 0' ] && cat \"$3\";;
   ${programs}/plot_allan.py) [ $# = 2 ] && cp \"$2/curves.csv\" \"$2/allan.png\";;
 esac")
 run(0 "3001 samples.*wrote allan.png and allan.svg to" "${out}/${name}" --topic "/imu 0" --python "${out}/python" --output "${out}/a folder")
