@@ -34,7 +34,7 @@ template <TimePoint Time>
 struct Sampling {
   std::int64_t samples;
   double rate;                   ///< Hz, of the sensor: samples that are missing are counted
-  double nominal_interval;       ///< a typical interval, s
+  double nominal_interval;       ///< median of the intervals, of bursts their mean, s
   double jitter;                 ///< of the intervals about the nominal one, without gaps: root mean square, s
   double largest_jitter;         ///< s
   StampInterval<Time> longest;   ///< of all intervals
@@ -62,18 +62,17 @@ struct StampIntervals {
     std::optional<Time> first, last;
     std::int64_t index = 0;
     auto next_break = breaks.begin();
-    double left_out = 0;
+    Time left_out{};
     for (const Time& time : stamps) {
       check(index, time, first, last);
       const bool is_break = next_break != breaks.end() && *next_break == index;
       if (is_break) ++next_break;
       if (last) {
-        const double duration = seconds<double>(time - *last);
         if (is_break) {
-          left_out += duration;
+          left_out += time - *last;
         } else {
-          durations.push_back(duration);
-          if (duration > longest.duration) longest = {index - 1, *last, duration};
+          durations.push_back(seconds<double>(time - *last));
+          if (durations.back() > longest.duration) longest = {index - 1, *last, durations.back()};
         }
       } else {
         first = time;
@@ -84,7 +83,7 @@ struct StampIntervals {
     if (durations.size() < 2) {
       throw std::invalid_argument(message("sampling: ", index, " stamps, expected at least 3"));
     }
-    total = seconds<double>(*last - *first) - left_out;
+    total = seconds<double>(*last - *first - left_out);
   }
 
  private:
@@ -105,13 +104,11 @@ struct StampIntervals {
   }
 };
 
-/// Of the sampling, without what is missing. It is the mean of the intervals near their median where nearly all are
-/// about a multiple of that. Otherwise the stamps jitter or are coarse, so that single intervals say little: it is the
-/// mean of 8 in a row over all rows without a missing sample.
-[[nodiscard]] inline double nominal_interval(std::span<const double> intervals) {
+/// The interval of the sampling grid: without what is missing. It is the mean of the intervals near their median where
+/// nearly all are about a multiple of that. Otherwise the stamps jitter or are coarse, so that single intervals say
+/// little: it is the mean of 8 in a row over all rows without a missing sample.
+[[nodiscard]] inline double grid_interval(std::span<const double> intervals, double median) {
   constexpr std::size_t row = 8;
-  std::vector<double> sorted(intervals.begin(), intervals.end());
-  const double median = median_of(sorted);
   std::size_t near_multiple = 0, near = 0;
   double off = 0;
   for (const double interval : intervals) {
@@ -168,8 +165,9 @@ template <std::ranges::forward_range Stamps>
     result.gaps = result.bursts->holes;
     result.missing = result.bursts->missing;
   } else {
-    result.nominal_interval = detail::nominal_interval(durations);
-    places = find_missing_samples(durations, result.nominal_interval);
+    std::vector<double> sorted = durations;
+    result.nominal_interval = detail::median_of(sorted);
+    places = find_missing_samples(durations, detail::grid_interval(durations, result.nominal_interval));
     result.gaps = static_cast<std::int64_t>(places.size());
     for (const MissingSamples& place : places) result.missing += place.count;
     result.rate = static_cast<double>(static_cast<std::int64_t>(durations.size()) + result.missing) / intervals.total;
