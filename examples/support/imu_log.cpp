@@ -162,8 +162,10 @@ std::string sampling_text(const Stream& stream, const allan::SamplingLimits& lim
 
 /// Adds what a stream says about how it was read. With two streams, each line begins with the name of its sensor.
 void report(const Stream& stream, const std::string& name, const ImuLogOptions& options, ImuLog& log) {
-  if (stream.table.path != log.path) {
-    log.report.push_back(message(name, "log: ", stream.table.path.string(), ", ", stream.columns.rows, " samples, ",
+  if (!name.empty() && !log.report.empty()) {  // the first is what the report begins with
+    log.report.push_back(message(name, "log: ", stream.table.path.string(),
+                                 stream.columns.topic ? " (" + *stream.columns.topic + ')' : "", ", ",
+                                 stream.columns.rows, " samples, ",
                                  formatted("%.6g", static_cast<double>(stream.columns.rows) / stream.rate), " s"));
   }
   log.report.push_back(name + "sampling: " + sampling_text(stream, options.limits));
