@@ -160,17 +160,32 @@ void add_options(CLI::App& app, Options& o) {
                  "default: those of EuRoC")
       ->delimiter(',');
   app.add_option("--rate", reading.rate, "samples a second [Hz], for a table without times");
-  app.add_option("--time-unit", reading.time_unit, "of column t; default: s with --columns, else ns")
+  app.add_option("--time-unit", reading.time_unit,
+                 "of column t; default: ns of a EuRoC file, with --columns s or what the digits show")
       ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
   app.add_option("--gyro-unit", reading.gyro_unit, "default: rad/s")->check(CLI::IsMember({"rad/s", "deg/s"}));
   app.add_option("--accel-unit", reading.accel_unit, "default: m/s2")->check(CLI::IsMember({"m/s2", "g", "mg"}));
   app.add_option("--skip", reading.skip, "leave out the beginning, for the sensor to warm up [s]")
       ->capture_default_str();
+  app.add_option("--until", reading.until, "leave out what comes later [s from the beginning]");
+  app.add_option("--leave-out", reading.leave_out,
+                 "stretch A-B, such as a knock [s from the beginning of the log]; what is on both sides is joined; may "
+                 "be repeated")
+      ->allow_extra_args(false);
   app.add_option("--most-missing", reading.limits.missing, "share of the samples that may be missing")
       ->capture_default_str();
   app.add_option("--most-jitter", reading.limits.jitter, "of the intervals, rms, as a share of one")
       ->capture_default_str();
+  app.add_flag(
+      "--arrival-times", reading.limits.arrival_times,
+      "the times are those of arrival, in bursts or with any jitter: take the rate from their number and span");
+  app.add_flag("--drop-duplicates", reading.drop_duplicates, "leave out rows with the time of the row before");
   app.add_option("--topic", reading.topic, "of a ROS bag that has several with IMU messages");
+  app.add_option("--accel-log", reading.accel_log,
+                 "log of the accelerometer, if the other is of the gyroscope alone; each keeps its own rate");
+  app.add_option("--accel-columns", reading.accel_columns, "of that; default: t,ax,ay,az")->delimiter(',');
+  app.add_option("--accel-rate", reading.accel_rate, "samples a second [Hz], of that, for a table without times");
+  app.add_option("--accel-topic", reading.accel_topic, "of that");
   app.add_option("--terms", o.terms, "that may be in it")
       ->delimiter(',')
       ->check(CLI::IsMember({"N", "K", "B", "Q", "R"}))
