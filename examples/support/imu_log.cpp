@@ -214,6 +214,14 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
 
 }  // namespace
 
+double log_time(const ImuLog& log, double seconds) {
+  double time = log.skipped + seconds;
+  for (const LogSpan& span : log.left_out) {
+    if (time >= span.begin) time += span.end - span.begin;
+  }
+  return time;
+}
+
 std::string_view sensor_name(SensorKind kind) { return kind == SensorKind::gyro ? "gyroscope" : "accelerometer"; }
 
 ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options) {
@@ -225,6 +233,7 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
   log.samples = streams[0].columns.rows;
   log.rate = streams[0].rate;
   log.sampling = streams[0].sampling;
+  log.skipped = streams[0].left_out.skipped;
   log.left_out = streams[0].left_out.inside;
   for (std::size_t i = 0; i < streams.size(); ++i) {
     const std::string name = streams.size() == 1 ? "" : i == 0 ? "gyroscope " : "accelerometer ";

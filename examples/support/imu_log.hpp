@@ -61,12 +61,16 @@ struct ImuLog {
   std::size_t samples = 0;              ///< of the first sensor
   double rate = 0;                      ///< Hz, of the first sensor
   std::optional<LogSampling> sampling;  ///< of the first sensor
+  double skipped = 0;                   ///< s, at the beginning
   std::vector<LogSpan> left_out;        ///< stretches inside the log; what is on both sides is joined
   std::string units;                    ///< that the sensors are taken to be in, as a line
   std::vector<SensorLog> sensors;       ///< gyroscope and accelerometer, without what has no axis
   std::vector<std::string> report;      ///< how the log was read: lines for the report
   std::vector<std::string> warnings;    ///< a line each
 };
+
+/// Seconds since the beginning of a log of a time since the first sample that was kept: with what was left out.
+[[nodiscard]] double log_time(const ImuLog& log, double seconds);
 
 /// gyroscope, accelerometer
 [[nodiscard]] std::string_view sensor_name(splinertia::SensorKind kind);

@@ -110,6 +110,7 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
 
   LeftOut result;
   std::size_t before = 0;  // rows removed so far
+  if (!removed.empty() && removed.front().first == 0) result.skipped = clock.time_of(removed.front().last);
   for (const Rows& rows : removed) {
     if (rows.first > 0 && rows.last < all) {
       result.inside.push_back({clock.time_of(rows.first), clock.time_of(rows.last)});
