@@ -104,7 +104,7 @@ class Findings {
                         worst->frequencies.upper, worst->ratio);
     }
     all_.push_back({"fit", 0, 0, "",
-                    formatted("THESE TERMS DO NOT DESCRIBE IT (by chance in %.1g of logs)%s; intervals do not hold",
+                    formatted("THESE TERMS DO NOT DESCRIBE IT (goodness of fit: p = %.1g)%s; intervals do not hold",
                               noise_.fit_probability, where.c_str()),
                     true});
   }
