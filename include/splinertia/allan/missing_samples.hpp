@@ -18,7 +18,9 @@ struct MissingSamples {
   std::int64_t count;     ///< how many, at least 1
 };
 
-namespace detail {
+}  // namespace splinertia::allan
+
+namespace splinertia::detail {
 
 /// The most likely course of the sampling grid along the stamps. With r_i the time of sample i less i nominal
 /// intervals, in nominal intervals, r_i = φ + m_i + jitter: m_i counts the samples that are missing so far and φ is the
@@ -59,8 +61,8 @@ class GridSearch {
   }
 
   /// Of the best hypothesis, in order.
-  [[nodiscard]] std::vector<MissingSamples> found() const {
-    std::vector<MissingSamples> result;
+  [[nodiscard]] std::vector<allan::MissingSamples> found() const {
+    std::vector<allan::MissingSamples> result;
     for (std::size_t link = hypotheses_.front().last; link != none; link = links_[link].before) {
       result.push_back(links_[link].place);
     }
@@ -85,7 +87,7 @@ class GridSearch {
     std::size_t last = none;  // in links_
   };
   struct Link {
-    MissingSamples place;
+    allan::MissingSamples place;
     std::size_t before;
   };
 
@@ -121,7 +123,9 @@ class GridSearch {
   std::vector<Link> links_;
 };
 
-}  // namespace detail
+}  // namespace splinertia::detail
+
+namespace splinertia::allan {
 
 /// Finds the samples that are missing between stamps. `intervals` are those from one stamp to the next, `nominal` is
 /// about that of the sampling, within some percent, both in s. Counts from cumulated time, so that a late stamp before
