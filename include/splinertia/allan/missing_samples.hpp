@@ -47,6 +47,10 @@ class GridSearch {
       extend(h, ahead, least + 1, interval);
     }
     std::sort(next_.begin(), next_.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    // More missing than the best has: to be had later for one price, so that a cost of several is hopeless.
+    const Hypothesis leader = next_.front();
+    std::erase_if(next_,
+                  [&](const Hypothesis& h) { return h.missing > leader.missing && h.cost > leader.cost + 10 * price; });
     // The one with the fewest missing stays, because late stamps may catch up: it is the only way back.
     const auto fewest = std::min_element(next_.begin(), next_.end(),
                                          [](const auto& a, const auto& b) { return a.missing < b.missing; });
