@@ -97,7 +97,7 @@ namespace splinertia::allan {
   bursts.samples = static_cast<double>(samples) / static_cast<double>(pauses_without_holes);
   bursts.rate = static_cast<double>(samples) / time;
   bursts.period = bursts.samples / bursts.rate;
-  bursts.missing = std::llround(in_holes * bursts.rate);
+  bursts.missing = std::llround(std::min(in_holes * bursts.rate, 1e15));  // fits in 64 bits
   return bursts;
 }
 

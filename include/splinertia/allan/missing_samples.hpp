@@ -36,7 +36,7 @@ class GridSearch {
 
   /// The next sample, whose interval to the one before is `length` nominal ones.
   void add(std::int64_t interval, double length) {
-    position_ += length - 1;
+    position_ += std::min(length, longest) - 1;
     next_.clear();
     for (const Hypothesis& h : hypotheses_) {
       const double ahead = position_ - h.phase - static_cast<double>(h.missing);
@@ -77,6 +77,7 @@ class GridSearch {
  private:
   static constexpr std::ptrdiff_t survivors = 6;
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr double longest = 1e9;   // interval: so that no sum of missing samples leaves 64 bits
   static constexpr double hopeless = 1e4;  // costs above those of the best
   static constexpr double price = 15;      // of a place with missing samples: once in e^15 samples by chance
   static constexpr double earliest = 0.3;  // so far ahead of the grid is the stamp after a missing sample, at least
