@@ -194,7 +194,8 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
   for (const SensorKind kind : {SensorKind::gyro, SensorKind::accel}) {
     const auto& unit = kind == SensorKind::gyro ? options.gyro_unit : options.accel_unit;
     const double factor = unit ? units.at(*unit) : 1;
-    SensorLog sensor{kind, {}, stream.table.path.string(), stream.columns.rows, stream.rate, stream.sampling};
+    SensorLog sensor{
+        kind, {}, stream.table.path.string(), stream.columns.rows, stream.rate, stream.sampling, stream.left_out.times};
     for (std::size_t i = 0; i < 3; ++i) {
       auto& values = stream.columns.values[i + (kind == SensorKind::gyro ? 1 : 4)];
       if (values.empty()) continue;
@@ -215,6 +216,13 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
 }  // namespace
 
 std::string_view sensor_name(SensorKind kind) { return kind == SensorKind::gyro ? "gyroscope" : "accelerometer"; }
+
+double SensorLog::time_of(std::size_t sample) const {
+  const auto behind = std::upper_bound(times.begin(), times.end(), sample,
+                                       [](std::size_t value, const SampleTime& known) { return value < known.sample; });
+  const SampleTime& before = *(behind - 1);
+  return before.time + static_cast<double>(sample - before.sample) / rate;
+}
 
 ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options) {
   std::vector<Stream> streams;

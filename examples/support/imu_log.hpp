@@ -43,6 +43,12 @@ struct LogSpan {
   double begin, end;
 };
 
+/// When a sample was taken.
+struct SampleTime {
+  std::size_t sample;  ///< of those that were read
+  double time;         ///< s from the beginning of the log, with what was left out
+};
+
 using LogSampling = splinertia::allan::Sampling<std::chrono::nanoseconds>;
 
 /// A sensor has a rate of its own: the accelerometer may come from another log (ImuLogOptions::accel_log).
@@ -53,6 +59,10 @@ struct SensorLog {
   std::size_t samples = 0;
   double rate = 0;                      ///< Hz
   std::optional<LogSampling> sampling;  ///< of the stamps, if there are any
+  std::vector<SampleTime> times;        ///< of the first sample, each behind what was left out, and some in between
+
+  /// The time of a sample, s from the beginning of the log, as --leave-out wants it.
+  [[nodiscard]] double time_of(std::size_t sample) const;
 };
 
 struct ImuLog {

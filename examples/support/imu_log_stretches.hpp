@@ -13,6 +13,7 @@
 struct LeftOut {
   std::vector<LogSpan> inside;       ///< what was left out between two samples that stay
   std::size_t rows_inside = 0;       ///< of those
+  std::vector<SampleTime> times;     ///< of SensorLog
   std::vector<std::int64_t> breaks;  ///< indices of the samples, of those that stay, before which it was
 };
 
