@@ -245,13 +245,18 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
 std::vector<double> read_numbers(const std::filesystem::path& path) {
   TextFile file(path == "-" ? "/dev/stdin" : path);
   std::vector<double> numbers;
-  while (file.next()) {
-    const Parsed<double> number = parse_real(file.line());
-    if (number.problem) file.fail(excerpt(file.line()), ' ', number.problem, ", expected one number a line");
-    numbers.push_back(number.value);
+  for (double usual = 0;;) {
+    if (file.next_number(usual)) {
+      numbers.push_back(usual);
+    } else if (file.next()) {
+      const Parsed<double> number = parse_real(file.line());
+      if (number.problem) file.fail(excerpt(file.line()), ' ', number.problem, ", expected one number a line");
+      numbers.push_back(number.value);
+    } else {
+      return numbers;
+    }
     if (numbers.size() == 10'000 && file.progress() > 0) {  // enough to tell the length of the rest
       numbers.reserve(static_cast<std::size_t>(1.02 * static_cast<double>(numbers.size()) / file.progress()));
     }
   }
-  return numbers;
 }
