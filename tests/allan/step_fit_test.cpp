@@ -57,6 +57,7 @@ TEST_CASE("a drift is not part of the height") {
   REQUIRE(fit.has_value());
   CHECK(std::abs(fit->begin - 4100) <= 5);
   CHECK_THAT(fit->height, WithinAbs(3, 4 * fit->standard_error));
+  CHECK(fit->difference > 5);
   CHECK(fit->standard_error < 0.15);
 }
 

@@ -16,7 +16,8 @@ namespace splinertia::allan {
 struct StepFit {
   std::int64_t begin;     ///< first sample that is no longer at the level before
   std::int64_t duration;  ///< samples on the way from one level to the other, 0 for a sudden step
-  double height;          ///< level after − level before
+  double height;          ///< level after − level before, without a drift on both sides
+  double difference;      ///< level after − level before, with it
   double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
   double standard_error;  ///< of the height: scatter, and what a drift may have added
 };
@@ -51,7 +52,8 @@ class StepFitter {
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
     const Levels of_change = levels(located.change, located.reach);
-    return StepFit{located.change.begin, located.change.duration, of_change.height, of_change.scatter, of_change.error};
+    return StepFit{located.change.begin, located.change.duration, of_change.height,
+                   of_change.difference, of_change.scatter,       of_change.error};
   }
 
  private:
@@ -159,7 +161,8 @@ class StepFitter {
 
   /// The levels on both sides and what they say of the height.
   struct Levels {
-    double height = 0;
+    double height = 0;           ///< without a drift
+    double difference = 0;       ///< with it
     double scatter = INFINITY;   ///< standard error of the height
     double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
     double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
@@ -212,7 +215,7 @@ class StepFitter {
     const double variance = std::min(flat, sloped), shares = 1 / left.samples + 1 / right.samples;
     const double uncertain = 3 * sloped / spread, share = std::max(0.0, 1 - uncertain / (slope * slope));
     const double drift = std::min(sloped / spread, slope * slope / 3) * distance * distance;
-    return {right.y - left.y - share * slope * distance, std::sqrt(variance * shares),
+    return {right.y - left.y - share * slope * distance, right.y - left.y, std::sqrt(variance * shares),
             std::sqrt(variance * shares + drift), variance};
   }
 

@@ -44,6 +44,7 @@ class StepSearch {
     }
     clipped_ = means_;
     clip_knocks(clipped_);
+    usual_change_ = usual_change({0, static_cast<std::int64_t>(means_.size())});
     std::vector<StepCandidate> candidates = StepScan(clipped_, options.false_alarms, least_).candidates();
     std::sort(candidates.begin(), candidates.end(),
               [](const StepCandidate& a, const StepCandidate& b) { return a.excess > b.excess; });
@@ -56,6 +57,8 @@ class StepSearch {
  private:
   /// A change must be so many times the scatter right beside it, which a knock increases, and its standard error.
   static constexpr double least_scatter = 7, least_errors = 5;
+  /// Few blocks do not know their noise well: this much more is not counted.
+  static constexpr double noisier = 1.25;
 
   /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
   [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
@@ -75,10 +78,12 @@ class StepSearch {
     };
     if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
     if (std::any_of(rejected_.begin(), rejected_.end(), stands_for)) return;
+    if (is_noisier(candidate)) {
+      rejected_.push_back(candidate);
+      return;
+    }
     const std::optional<StepFit> fit = fit_within(window, candidate);
-    const bool is_step = fit && std::abs(fit->height) >= std::max({least_, step_rounding, least_scatter * fit->scatter,
-                                                                   least_errors * fit->standard_error});
-    if (!is_step) {
+    if (!fit || !is_step(*fit)) {
       rejected_.push_back(candidate);
       return;
     }
@@ -87,6 +92,31 @@ class StepSearch {
     taken_.push_back({first - margin, last + margin});
     const auto unit = static_cast<double>(signal_.unit());
     steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
+  }
+
+  /// From each block to the next one.
+  [[nodiscard]] double usual_change(const SampleSpan& blocks) {
+    const std::int64_t stride = std::max<std::int64_t>(1, blocks.size() / 8192);
+    changes_.clear();
+    for (std::int64_t i = blocks.begin + 1; i < blocks.end; i += stride) {
+      const auto block = static_cast<std::size_t>(i);
+      changes_.push_back(std::abs(clipped_[block] - clipped_[block - 1]));
+    }
+    return std::max(usual_size(changes_), step_rounding);
+  }
+
+  /// Whether the noise in the candidate's window is as much stronger than usual as the candidate is above the
+  /// threshold.
+  [[nodiscard]] bool is_noisier(const StepCandidate& candidate) {
+    const double here = usual_change({candidate.place - candidate.before, candidate.place + candidate.after});
+    return here > noisier * candidate.excess * usual_change_;
+  }
+
+  /// A bend of a drift is none: against the drift it would be a step, but nothing changed in that direction.
+  [[nodiscard]] bool is_step(const StepFit& fit) const {
+    const double least =
+        std::max({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
+    return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1;
   }
 
   /// Nothing where a quarter of the window are knocks.
@@ -107,6 +137,8 @@ class StepSearch {
   double least_;
   std::vector<double> means_, clipped_;  ///< of blocks
   std::vector<double> samples_;          ///< of one window
+  std::vector<double> changes_;          ///< from block to block
+  double usual_change_;                  ///< of the whole signal
   std::vector<SampleSpan> taken_;
   std::vector<StepCandidate> rejected_;
   std::vector<Step> steps_;
