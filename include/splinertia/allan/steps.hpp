@@ -83,13 +83,14 @@ class StepSearch {
       return;
     }
     const std::optional<StepFit> fit = fit_within(window, candidate);
-    if (!fit || !is_step(*fit)) {
+    if (!fit || !(fit->is_knock || is_step(*fit))) {
       rejected_.push_back(candidate);
       return;
     }
     const std::int64_t first = window.begin + fit->begin, last = first + fit->duration;
     const std::int64_t margin = 2 * fit->duration + step_block;  // a slow change may begin and end smoothly
     taken_.push_back({first - margin, last + margin});
+    if (fit->is_knock) return;
     const auto unit = static_cast<double>(signal_.unit());
     steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
   }
