@@ -147,7 +147,8 @@ class StepScan {
 
   /// Whether the differences two widths further on, or on both sides, are like this one: of a step they are not.
   [[nodiscard]] bool is_drift(std::int64_t i, std::int64_t w) const {
-    const bool early = i<4 * w, late = i + 4 * w> blocks_;
+    const bool early = i - 4 * w < 0;
+    const bool late = i + 4 * w > blocks_;
     const std::int64_t next = late ? -2 * w : 2 * w;
     const double here = inside(i, w);
     const double drift = early || late ? 2 * inside(i + next, w) - inside(i + 2 * next, w)
@@ -159,9 +160,10 @@ class StepScan {
     const std::int64_t first = 2 * w, last = blocks_ - 2 * w;
     const auto difference = [&](std::int64_t i) { return inside(i, w); };
     const double spread = usual(first, last, w, difference);
+    // c of step_threshold() is 1.75/w: of −1, 3, −3, 1 as weights of four windows of white noise.
     const double trials = 1.75 * static_cast<double>(blocks_) / static_cast<double>(w);
     const double threshold =
-        std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_);
+        std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
     if (!(threshold > 0)) return;
     for (std::int64_t i = first; i <= last; i += std::max<std::int64_t>(1, w / 8)) {
       const double size = std::abs(difference(i));
@@ -171,12 +173,13 @@ class StepScan {
   }
 
   void scan_ends(std::int64_t w, double probability) {
+    constexpr double trials = 4;  // as of scan_inside(), over the width of a window
     for (const std::int64_t direction : {1, -1}) {
       const auto difference = [&](std::int64_t i) { return at_end(i, w, direction); };
       const std::int64_t before = direction > 0 ? w : 4 * w, after = 5 * w - before;
       const double spread = usual(before, blocks_ - after, w, difference);
       const double threshold =
-          std::max(step_threshold(4, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_);
+          std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
       if (!(threshold > 0)) continue;
       const std::int64_t begin = direction > 0 ? w : blocks_ - 2 * w + 1;
       for (std::int64_t i = begin; i < begin + w; i += std::max<std::int64_t>(1, w / 8)) {

@@ -145,29 +145,31 @@ class StepSearch {
   std::vector<Step> steps_;
 };
 
-/// Finds changes of a signal's mean that its own noise does not explain, in order of time. Step::height is in the unit
-/// of the signal.
+/// Finds changes of a signal's mean that its own noise does not explain, in order of time.
 ///
 /// The means of neighbouring windows are compared at every place, for widths from 32 samples to 1/32 of the signal.
 /// What is usual for a width is measured on this signal, so that random walks, flicker noise, Gauss–Markov noise,
-/// vibration, rounding and filters raise the threshold where they have to. Differences of windows further out take
-/// drifts off: a ramp or warming up is no step. Two neighbouring blocks of 16 samples that stick out of all around them
-/// are taken for a knock and clipped. A step must also stand out of the scatter beside it.
+/// vibration, rounding and filters raise the threshold where they have to. Windows further out take drifts off: a ramp
+/// is no step. A step must also stand out of the scatter beside it.
 ///
-/// Found in white noise of standard deviation σ, 1 h at 100 Hz (100 logs each): a step of 0.5 σ in all logs, its time
-/// to 12 samples (mean error), its height to 3 % (rms); 0.3 σ in 96 %; 5 σ to the sample, its height to 0.3 %. A tilt
-/// that takes 3 or 10 s is one step, its duration to 2 samples. Near an end, 0.5 σ is found in 50 to 70 % of logs at
-/// 400 samples from it, 80 to 95 % at 600 and 99 % at 1000; 1 σ in 95 % at 150; 5 σ in all from 20 samples on. In a
-/// random walk or flicker noise the height has up to 1.6 times its standard error, which is as stated in white noise.
+/// Found in white noise of standard deviation σ, 1 h at 100 Hz (100 logs each): steps from 0.3 σ on in all logs. Of 0.5
+/// σ the time is right to 11 samples (mean error) and the height to 3 % (rms), of 5 σ to the sample and 0.3 %. A tilt
+/// that takes 3 or 10 s is one step, its duration right to 2 samples. In shorter logs: 0.5 σ in 78 % of 10 minutes, in
+/// all of 20; 1 σ in all of 200 s. Near an end: 0.5 σ in 50 to 70 % of logs at 400 samples from it, 85 to 95 % at 600,
+/// 97 % at 1000; 1 σ in 95 % at 150; 5 σ in 98 % from 20 samples on. The height's standard error is right in white
+/// noise; a random walk or flicker noise beside it adds up to 60 %.
 ///
-/// False alarms: none in 200 logs each of white noise, with a random walk (4 strengths), flicker noise (3),
-/// Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up with exp(−t/600 s) of 0.1 to 100 σ, lines of 0.05 to 40
-/// Hz, resonances, rounding to 0.3 to 6 σ, angle quantization, a low-pass and sample-and-hold, 1 h at 100 Hz.
+/// False alarms: none in 200 logs each (1 h at 100 Hz) of white noise alone and with random walks, flicker noise,
+/// Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up as exp(−t/600 s) from 0.1 to 100 σ, lines from 0.05 to 40
+/// Hz of up to 3 σ, resonances, rounding to 0.3 to 6 σ, of angle quantization, low-passed noise, and values held for
+/// several samples; nor in 40 logs of 2 h at 200 Hz. A transient of a minute or less is taken for a step in one log of
+/// ten.
 ///
-/// Not found: steps in fewer than 1024 samples, a level that is left again within about 250 (σ/h)² samples (h the
-/// height), a change that takes longer than 1/16 of the signal.
+/// Not found: steps in fewer than 1024 samples; a level that is left again within longest_knock samples, which
+/// measure_stillness() finds, or within about 250 (σ/height)² samples; a change that takes longer than 1/16 of the
+/// signal.
 ///
-/// Takes 12 to 17 ns a sample (-O2, one core), and 3/16 of the signal's memory.
+/// Takes 6 to 16 ns a sample (-O2, one core) and 3/16 of the signal's memory.
 /// Throws std::invalid_argument for options out of their range.
 template <std::floating_point Scalar>
 [[nodiscard]] std::vector<Step> find_steps(const IntegratedSignal<Scalar>& signal, const StepOptions& options = {}) {
@@ -177,7 +179,8 @@ template <std::floating_point Scalar>
   return std::move(StepSearch(signal, options).steps());
 }
 
-/// Likewise; throws what IntegratedSignal throws.
+/// Likewise. Throws also what IntegratedSignal throws: std::invalid_argument for a constant signal, one with fewer than
+/// three samples, or with one that is not finite.
 template <Signal S>
 [[nodiscard]] std::vector<Step> find_steps(const S& signal, const StepOptions& options = {}) {
   return find_steps(IntegratedSignal(signal, ScalarOfSignal<S>(1)), options);
