@@ -154,10 +154,10 @@ class StepSearch {
 ///
 /// Found in white noise of standard deviation σ, 1 h at 100 Hz (100 logs each): steps from 0.3 σ on in all logs. Of 0.5
 /// σ the time is right to 11 samples (mean error) and the height to 3 % (rms), of 5 σ to the sample and 0.3 %. A tilt
-/// that takes 3 or 10 s is one step, its duration right to 2 samples. In shorter logs: 0.5 σ in 78 % of 10 minutes, in
-/// all of 20; 1 σ in all of 200 s. Near an end: 0.5 σ in 50 to 70 % of logs at 400 samples from it, 85 to 95 % at 600,
-/// 97 % at 1000; 1 σ in 95 % at 150; 5 σ in 98 % from 20 samples on. The height's standard error is right in white
-/// noise; a random walk or flicker noise beside it adds up to 60 %.
+/// that takes 3 or 10 s is one step, its duration right to 2 samples. In shorter logs: 0.5 σ in 84 % of 10 minutes, in
+/// all of 20; 1 σ in 97 % of 200 s. Near an end: 0.5 σ in 50 to 63 % of logs at 400 samples from it, 87 to 94 % at 600,
+/// all at 1000; 1 σ in 94 % at 150; 5 σ in 93 % at 20, all at 33. The height's standard error is right in white noise;
+/// a random walk or flicker noise beside it adds up to 60 %.
 ///
 /// False alarms: none in 200 logs each (1 h at 100 Hz) of white noise alone and with random walks, flicker noise,
 /// Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up as exp(−t/600 s) from 0.1 to 100 σ, lines from 0.05 to 40
