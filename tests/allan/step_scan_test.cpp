@@ -36,6 +36,8 @@ TEST_CASE("the usual size is the standard deviation, whatever a tenth of the val
   CHECK_THAT(usual_size(sizes), WithinRel(1, 0.03));
   for (std::size_t i = 0; i < sizes.size(); i += 10) sizes[i] = 1e6;
   CHECK_THAT(usual_size(sizes), WithinRel(1.2, 0.1));
+  sizes.assign(100, 1e-17);
+  CHECK(usual_size(sizes) == 0);
   std::vector<double> none;
   CHECK(usual_size(none) == 0);
 }

@@ -20,6 +20,7 @@ struct StepFit {
   double difference;      ///< level after − level before, with it
   double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
   double standard_error;  ///< of the height: scatter, and what a drift may have added
+  double samples;         ///< that the shorter of the two levels was averaged over
   bool is_knock;          ///< the level is left again after `duration`, at most longest_knock: no step, and no height
 };
 
@@ -56,15 +57,11 @@ class StepFitter {
     if (range.size() < 0) return std::nullopt;
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
-    if (located.is_knock) return StepFit{located.change.begin, located.change.duration, 0, 0, INFINITY, INFINITY, true};
+    if (located.is_knock)
+      return StepFit{located.change.begin, located.change.duration, 0, 0, INFINITY, INFINITY, 0, true};
     const Levels of_change = levels(located.change, located.reach);
-    return StepFit{located.change.begin,
-                   located.change.duration,
-                   of_change.height,
-                   of_change.difference,
-                   of_change.scatter,
-                   of_change.error,
-                   false};
+    return StepFit{located.change.begin, located.change.duration, of_change.height,  of_change.difference,
+                   of_change.scatter,    of_change.error,         of_change.samples, false};
   }
 
  private:
@@ -189,6 +186,7 @@ class StepFitter {
     double scatter = INFINITY;   ///< standard error of the height
     double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
     double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
+    double samples = 0;          ///< of the shorter side
   };
 
   /// From windows of two, one and half times the reach: the widest, unless another one has a clearly smaller error. A
@@ -239,7 +237,7 @@ class StepFitter {
     const double uncertain = 3 * sloped / spread, share = std::max(0.0, 1 - uncertain / (slope * slope));
     const double drift = std::min(sloped / spread, slope * slope / 3) * distance * distance;
     return {right.y - left.y - share * slope * distance, right.y - left.y, std::sqrt(variance * shares),
-            std::sqrt(variance * shares + drift), variance};
+            std::sqrt(variance * shares + drift),        variance,         std::min(left.samples, right.samples)};
   }
 
   [[nodiscard]] static double at(const std::vector<double>& values, std::int64_t i) {

@@ -45,7 +45,8 @@ struct StepCandidate {
 }
 
 /// The standard deviation that most of the values suggest: of their median and their 80 % quantile the larger one, as
-/// of a normal distribution. A fifth of the values may be anything. Reorders the values; 0 for none.
+/// of a normal distribution. A fifth of the values may be anything. Reorders the values. 0 for none, and where they
+/// are rounding errors.
 [[nodiscard]] inline double usual_size(std::vector<double>& magnitudes) {
   if (magnitudes.empty()) return 0;
   const auto quantile = [&](double share) {
@@ -54,7 +55,8 @@ struct StepCandidate {
     return *place;
   };
   const double high = quantile(0.8) / 1.2816, middle = quantile(0.5) / 0.6745;
-  return std::max(high, middle);
+  const double size = std::max(high, middle);
+  return size > step_rounding ? size : 0;
 }
 
 /// Replaces blocks that stick out of their surroundings: knocks of up to two blocks, which are no change of the mean.
@@ -135,8 +137,7 @@ class StepScan {
     magnitudes_.clear();
     const std::int64_t stride = std::max(std::max<std::int64_t>(1, width / 8), (last - first) / sample_size);
     for (std::int64_t i = first; i <= last; i += stride) magnitudes_.push_back(std::abs(difference(i)));
-    const double size = usual_size(magnitudes_);
-    return size > step_rounding ? size : 0;
+    return usual_size(magnitudes_);
   }
 
   /// Degrees of freedom of the usual size. Of simulated white noise, random walks and sums of both, the largest of all

@@ -59,6 +59,8 @@ class StepSearch {
   static constexpr double least_scatter = 7, least_errors = 5;
   /// Few blocks do not know their noise well: this much more is not counted.
   static constexpr double noisier = 1.25;
+  /// A level is made by no fewer samples than these.
+  static constexpr double fewest = 6;
 
   /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
   [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
@@ -113,11 +115,14 @@ class StepSearch {
     return here > noisier * candidate.excess * usual_change_;
   }
 
+  /// Few samples of a coarse resolution that happen to lie close together are none, either.
   /// A bend of a drift is none: against the drift it would be a step, but nothing changed in that direction.
   [[nodiscard]] bool is_step(const StepFit& fit) const {
     const double least =
         std::max({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
-    return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1;
+    const auto [low, high] = std::minmax_element(samples_.begin(), samples_.end());
+    const double worth = std::abs(fit.height) * fit.samples / (*high - *low);  // in samples that go all the way
+    return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1 && worth >= fewest;
   }
 
   /// Nothing where a quarter of the window are knocks.
@@ -159,11 +164,11 @@ class StepSearch {
 /// all at 1000; 1 σ in 94 % at 150; 5 σ in 93 % at 20, all at 33. The height's standard error is right in white noise;
 /// a random walk or flicker noise beside it adds up to 60 %.
 ///
-/// False alarms: none in 200 logs each (1 h at 100 Hz) of white noise alone and with random walks, flicker noise,
-/// Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up as exp(−t/600 s) from 0.1 to 100 σ, lines from 0.05 to 40
-/// Hz of up to 3 σ, resonances, rounding to 0.3 to 6 σ, of angle quantization, low-passed noise, and values held for
-/// several samples; nor in 40 logs of 2 h at 200 Hz. A transient of a minute or less is taken for a step in one log of
-/// ten.
+/// False alarms: none in 200 logs each (1 h at 100 Hz), nor in 40 (2 h at 200 Hz), of white noise alone and with random
+/// walks, flicker noise, Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up as exp(−t/600 s) from 0.1 to 100 σ,
+/// lines from 0.05 to 40 Hz of up to 3 σ, resonances, rounding to 0.3 to 4 σ, of angle quantization, low-passed noise,
+/// and values held for several samples. With a resolution of 6 σ one in 100 logs of 2 h. A transient of a minute or
+/// less is taken for a step in one log of ten.
 ///
 /// Not found: steps in fewer than 1024 samples; a level that is left again within longest_knock samples, which
 /// measure_stillness() finds, or within about 250 (σ/height)² samples; a change that takes longer than 1/16 of the
