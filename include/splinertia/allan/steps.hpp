@@ -115,8 +115,8 @@ class StepSearch {
     return here > noisier * candidate.excess * usual_change_;
   }
 
-  /// Few samples of a coarse resolution that happen to lie close together are none, either.
-  /// A bend of a drift is none: against the drift it would be a step, but nothing changed in that direction.
+  /// A bend of a drift is no step: without the drift it looks like one, but nothing changed in that direction. A few
+  /// samples of a coarse resolution that happen to lie close together are none, either.
   [[nodiscard]] bool is_step(const StepFit& fit) const {
     const double least =
         std::max({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
