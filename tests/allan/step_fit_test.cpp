@@ -35,6 +35,7 @@ TEST_CASE("a sudden step is fitted, with its error") {
     REQUIRE(fit.has_value());
     CHECK(std::abs(fit->begin - 4321) <= 1);
     CHECK(fit->duration == 0);
+    CHECK_FALSE(fit->is_knock);
     CHECK_THAT(fit->scatter, WithinAbs(std::sqrt(2.0 / 3679), 0.025));
     CHECK(fit->standard_error >= fit->scatter);
     squares += std::pow((fit->height - 5) / fit->standard_error, 2);
@@ -57,6 +58,7 @@ TEST_CASE("a drift is not part of the height") {
   REQUIRE(fit.has_value());
   CHECK(std::abs(fit->begin - 4100) <= 5);
   CHECK_THAT(fit->height, WithinAbs(3, 4 * fit->standard_error));
+  CHECK(fit->difference > 5);
   CHECK(fit->standard_error < 0.15);
 }
 
@@ -68,6 +70,18 @@ TEST_CASE("two steps are not one that takes long") {
   CHECK(std::abs(fit->begin - 3500) <= 5);
   CHECK(fit->duration == 0);
   CHECK_THAT(fit->height, WithinAbs(8, 0.4));
+}
+
+TEST_CASE("a level that is left again at once is no step") {
+  auto window = change(4000, 8);
+  window.resize(4800);
+  for (std::size_t i = 4100; i < window.size(); ++i) window[i] -= 8;
+  window.erase(window.begin(), window.begin() + 3400);
+  const auto fit = StepFitter(window).fit(620, 350);
+  REQUIRE(fit.has_value());
+  CHECK(fit->is_knock);
+  CHECK(std::abs(fit->begin - 600) <= 1);
+  CHECK(std::abs(fit->duration - 100) <= 1);
 }
 
 TEST_CASE("noise alone and windows without levels give nothing to believe") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <numbers>
 #include <splinertia/allan/step_scan.hpp>
 #include <splinertia/imu/normal.hpp>
 #include <vector>
@@ -23,7 +24,7 @@ std::vector<double> white(std::size_t n, std::uint64_t seed = 0) {
 TEST_CASE("the threshold is exceeded with the probability it is for") {
   // 2 T z φ(z) = P for 1000 trials and 1e-3: z = 5.37; and Student's t for few degrees of freedom.
   const double z = step_threshold(1000, 1e-3, 1e12);
-  CHECK_THAT(2 * 1000 * z * std::exp(-z * z / 2) / std::sqrt(2 * M_PI), WithinRel(1e-3, 1e-6));
+  CHECK_THAT(2 * 1000 * z * std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi), WithinRel(1e-3, 1e-6));
   const double t = step_threshold(1000, 1e-3, 20);
   CHECK_THAT(20 * std::log1p(t * t / 20), WithinRel(z * z, 1e-4));
   CHECK(t > z);
@@ -35,6 +36,8 @@ TEST_CASE("the usual size is the standard deviation, whatever a tenth of the val
   CHECK_THAT(usual_size(sizes), WithinRel(1, 0.03));
   for (std::size_t i = 0; i < sizes.size(); i += 10) sizes[i] = 1e6;
   CHECK_THAT(usual_size(sizes), WithinRel(1.2, 0.1));
+  sizes.assign(100, 1e-17);
+  CHECK(usual_size(sizes) == 0);
   std::vector<double> none;
   CHECK(usual_size(none) == 0);
 }

@@ -93,6 +93,16 @@ TEST_CASE("noise of all kinds, drifts and vibration are no steps") {
   }
 }
 
+TEST_CASE("noise that is stronger for a while and levels that are left at once are no steps") {
+  for (std::uint64_t seed = 20; seed < 30; ++seed) {
+    Values signal = white(seed);
+    for (std::size_t i = 50000; i < 60000; ++i) signal[i] *= 2;
+    for (std::size_t i = 100000; i < 100050; ++i) signal[i] += 5;
+    for (std::size_t i = 110000; i < 110150; ++i) signal[i] -= 20;
+    CHECK(find_steps(signal).empty());
+  }
+}
+
 TEST_CASE("a step of half a sample's deviation or more is found, with its time and height") {
   for (const double height : {0.5, -1.0, 5.0, 500.0}) {
     for (const std::int64_t place : {20000, 64000, 91234}) {  // 64000 is the border of blocks of any usual length

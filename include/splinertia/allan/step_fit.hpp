@@ -16,10 +16,16 @@ namespace splinertia::allan {
 struct StepFit {
   std::int64_t begin;     ///< first sample that is no longer at the level before
   std::int64_t duration;  ///< samples on the way from one level to the other, 0 for a sudden step
-  double height;          ///< level after − level before
+  double height;          ///< level after − level before, without a drift on both sides
+  double difference;      ///< level after − level before, with it
   double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
   double standard_error;  ///< of the height: scatter, and what a drift may have added
+  double samples;         ///< that the shorter of the two levels was averaged over
+  bool is_knock;          ///< the level is left again after `duration`, at most longest_knock: no step, and no height
 };
+
+/// A level that is left again within so many samples, 1 s at 200 Hz, is a knock and no step.
+inline constexpr std::int64_t longest_knock = 200;
 
 /// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
 class StepFitter {
@@ -43,15 +49,19 @@ class StepFitter {
     double_sums_.push_back(double_sums_.back() + sums_.back());
   }
 
-  /// The change that begins and ends within `reach` samples of `place`, and up to 2·`reach` samples on either side for
-  /// the levels. Its error is infinite if a level has fewer than 16 samples, none if the window has fewer than 32.
+  /// The change that begins and ends within `reach` samples of `place`, with up to 2·`reach` samples on either side for
+  /// the levels. Its error is infinite if a level has fewer than 16 samples. None if the window has fewer than 32
+  /// samples.
   [[nodiscard]] std::optional<StepFit> fit(std::int64_t place, std::int64_t reach) const {
     const Range range{std::max(least_side, place - reach), std::min(size_ - least_side, place + reach)};
     if (range.size() < 0) return std::nullopt;
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
+    if (located.is_knock)
+      return StepFit{located.change.begin, located.change.duration, 0, 0, INFINITY, INFINITY, 0, true};
     const Levels of_change = levels(located.change, located.reach);
-    return StepFit{located.change.begin, located.change.duration, of_change.height, of_change.scatter, of_change.error};
+    return StepFit{located.change.begin, located.change.duration, of_change.height,  of_change.difference,
+                   of_change.scatter,    of_change.error,         of_change.samples, false};
   }
 
  private:
@@ -65,13 +75,15 @@ class StepFitter {
   };
   struct Located {
     Change change;
-    std::int64_t reach;
+    std::int64_t reach;  ///< how far it is the only one
+    bool is_knock;       ///< the level is left again at once
   };
   static constexpr std::int64_t least_side = 16;
   static constexpr double clearly_better = 0.5;
+  static constexpr double clearly = 25;  ///< of a gain over the variance: five standard deviations squared
 
-  /// The change within a range that lowers the sum of squares the most, and how far it is the only one. It is sudden
-  /// unless a duration is better by five standard deviations.
+  /// The change within a range that lowers the sum of squares the most. It is sudden unless a duration is better by
+  /// five standard deviations.
   [[nodiscard]] Located locate(Range range, std::int64_t reach) const {
     const Change sudden = best_of_duration(range, 0);
     Change best = sudden;
@@ -80,16 +92,27 @@ class StepFitter {
       if (change.gain > best.gain) best = change;
     }
     best = refine(range, best);
-    if (best.duration == 0) return {best, reach};
-    const double clearly = 25 * levels(best, reach).variance;
-    if (best.gain - sudden.gain < clearly) return {sudden, reach};
+    const double least = clearly * levels(best, reach).variance;
+    if (best.gain - sudden.gain < least) best = sudden;
+    // A second change besides the sudden one.
+    const Range left{0, sudden.begin}, right{sudden.begin, size_};
+    const Change earlier = best_split(left), later = best_split(right);
+    const bool is_earlier = earlier.gain > later.gain;
+    const Change& second = is_earlier ? earlier : later;
+    const std::int64_t first = std::min(sudden.begin, second.begin), distance = std::abs(sudden.begin - second.begin);
+    const bool returns = rises({0, size_}, sudden.begin) != rises(is_earlier ? left : right, second.begin);
+    if (returns && distance <= longest_knock && second.gain > sudden.gain / 2)
+      return {{first, distance, 0}, reach, true};
     // Two sudden steps may do better than one that takes long: then the window is too wide for the higher one.
-    const Range left{range.begin, sudden.begin - least_side}, right{sudden.begin + least_side, range.end};
-    const Change second_left = best_split({0, sudden.begin}, left);
-    const Change second_right = best_split({sudden.begin, size_}, right);
-    const Change& second = second_left.gain > second_right.gain ? second_left : second_right;
-    if (sudden.gain + second.gain <= best.gain + clearly) return {best, reach};
-    return {sudden, std::min(reach, std::abs(second.begin - sudden.begin) / 2)};
+    if (best.duration == 0 || sudden.gain + second.gain <= best.gain + least) return {best, reach, false};
+    return {sudden, std::min(reach, distance / 2), false};
+  }
+
+  /// Whether the mean of the samples from a place on is above that of those before it.
+  [[nodiscard]] bool rises(Range samples, std::int64_t place) const {
+    const double before = at(sums_, place) - at(sums_, samples.begin),
+                 after = at(sums_, samples.end) - at(sums_, place);
+    return after * static_cast<double>(place - samples.begin) > before * static_cast<double>(samples.end - place);
   }
 
   /// The slope of the samples outside a range, 0 where it is less than three standard errors.
@@ -143,14 +166,13 @@ class StepFitter {
     return best;
   }
 
-  /// The sudden step within these samples alone that begins in a range of them.
-  [[nodiscard]] Change best_split(Range samples, Range range) const {
-    const auto [begin, end] = samples;
-    Change best{begin, 0, 0};
-    const double total = at(sums_, end) - at(sums_, begin), count = static_cast<double>(end - begin);
-    for (std::int64_t i = std::max(range.begin, begin + 1); i < std::min(range.end, end); ++i) {
-      const auto before = static_cast<double>(i - begin);
-      const double product = at(sums_, i) - at(sums_, begin) - total * before / count;
+  /// The sudden step within these samples alone.
+  [[nodiscard]] Change best_split(Range samples) const {
+    Change best{samples.begin, 0, 0};
+    const double total = at(sums_, samples.end) - at(sums_, samples.begin), count = static_cast<double>(samples.size());
+    for (std::int64_t i = samples.begin + least_side; i <= samples.end - least_side; ++i) {
+      const auto before = static_cast<double>(i - samples.begin);
+      const double product = at(sums_, i) - at(sums_, samples.begin) - total * before / count;
       const double of_this = product * product * count / (before * (count - before));
       if (of_this > best.gain) best = {i, 0, of_this};
     }
@@ -159,10 +181,12 @@ class StepFitter {
 
   /// The levels on both sides and what they say of the height.
   struct Levels {
-    double height = 0;
+    double height = 0;           ///< without a drift
+    double difference = 0;       ///< with it
     double scatter = INFINITY;   ///< standard error of the height
     double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
     double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
+    double samples = 0;          ///< of the shorter side
   };
 
   /// From windows of two, one and half times the reach: the widest, unless another one has a clearly smaller error. A
@@ -212,8 +236,8 @@ class StepFitter {
     const double variance = std::min(flat, sloped), shares = 1 / left.samples + 1 / right.samples;
     const double uncertain = 3 * sloped / spread, share = std::max(0.0, 1 - uncertain / (slope * slope));
     const double drift = std::min(sloped / spread, slope * slope / 3) * distance * distance;
-    return {right.y - left.y - share * slope * distance, std::sqrt(variance * shares),
-            std::sqrt(variance * shares + drift), variance};
+    return {right.y - left.y - share * slope * distance, right.y - left.y, std::sqrt(variance * shares),
+            std::sqrt(variance * shares + drift),        variance,         std::min(left.samples, right.samples)};
   }
 
   [[nodiscard]] static double at(const std::vector<double>& values, std::int64_t i) {

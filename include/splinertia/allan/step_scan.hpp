@@ -45,7 +45,8 @@ struct StepCandidate {
 }
 
 /// The standard deviation that most of the values suggest: of their median and their 80 % quantile the larger one, as
-/// of a normal distribution. A fifth of the values may be anything. Reorders the values; 0 for none.
+/// of a normal distribution. A fifth of the values may be anything. Reorders the values. 0 for none, and where they
+/// are rounding errors.
 [[nodiscard]] inline double usual_size(std::vector<double>& magnitudes) {
   if (magnitudes.empty()) return 0;
   const auto quantile = [&](double share) {
@@ -54,7 +55,8 @@ struct StepCandidate {
     return *place;
   };
   const double high = quantile(0.8) / 1.2816, middle = quantile(0.5) / 0.6745;
-  return std::max(high, middle);
+  const double size = std::max(high, middle);
+  return size > step_rounding ? size : 0;
 }
 
 /// Replaces blocks that stick out of their surroundings: knocks of up to two blocks, which are no change of the mean.
@@ -92,7 +94,7 @@ class StepScan {
     sums_.push_back(0);
     for (const double mean : means) sums_.push_back(sums_.back() + mean);
     std::vector<std::int64_t> widths;
-    for (double width = 2; width * 32 <= static_cast<double>(blocks_); width *= std::numbers::sqrt2) {
+    for (double width = static_cast<double>(blocks_ / 32); width >= 2; width /= std::numbers::sqrt2) {
       widths.push_back(std::llround(width));
     }
     const double each = false_alarms / (2 * static_cast<double>(widths.size()));
@@ -135,36 +137,50 @@ class StepScan {
     magnitudes_.clear();
     const std::int64_t stride = std::max(std::max<std::int64_t>(1, width / 8), (last - first) / sample_size);
     for (std::int64_t i = first; i <= last; i += stride) magnitudes_.push_back(std::abs(difference(i)));
-    const double size = usual_size(magnitudes_);
-    return size > step_rounding ? size : 0;
+    return usual_size(magnitudes_);
   }
 
-  /// Degrees of freedom of the usual size: measured, about three for four widths.
+  /// Degrees of freedom of the usual size. Of simulated white noise, random walks and sums of both, the largest of all
+  /// differences over the usual size exceeds the threshold that these give less often than it is for.
   [[nodiscard]] double degrees_of_freedom(std::int64_t width) const {
-    return 0.75 * static_cast<double>(blocks_) / static_cast<double>(width);
+    return 2 * static_cast<double>(blocks_) / static_cast<double>(width);
+  }
+
+  /// Whether the differences two widths further on, or on both sides, are like this one: of a step they are not.
+  [[nodiscard]] bool is_drift(std::int64_t i, std::int64_t w) const {
+    const bool early = i - 4 * w < 0;
+    const bool late = i + 4 * w > blocks_;
+    const std::int64_t next = late ? -2 * w : 2 * w;
+    const double here = inside(i, w);
+    const double drift = early || late ? 2 * inside(i + next, w) - inside(i + 2 * next, w)
+                                       : (inside(i - 2 * w, w) + inside(i + 2 * w, w)) / 2;
+    return std::abs(here - drift) < std::abs(here) / 2;
   }
 
   void scan_inside(std::int64_t w, double probability) {
     const std::int64_t first = 2 * w, last = blocks_ - 2 * w;
     const auto difference = [&](std::int64_t i) { return inside(i, w); };
     const double spread = usual(first, last, w, difference);
+    // c of step_threshold() is 1.75/w: of −1, 3, −3, 1 as weights of four windows of white noise.
     const double trials = 1.75 * static_cast<double>(blocks_) / static_cast<double>(w);
     const double threshold =
-        std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_);
+        std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
     if (!(threshold > 0)) return;
     for (std::int64_t i = first; i <= last; i += std::max<std::int64_t>(1, w / 8)) {
       const double size = std::abs(difference(i));
-      if (size >= threshold) candidates_.push_back({i, w, 2 * w, 2 * w, size / spread, size / threshold});
+      if (size < threshold || is_drift(i, w)) continue;
+      candidates_.push_back({i, w, 2 * w, 2 * w, size / spread, size / threshold});
     }
   }
 
   void scan_ends(std::int64_t w, double probability) {
+    constexpr double trials = 4;  // as of scan_inside(), over the width of a window
     for (const std::int64_t direction : {1, -1}) {
       const auto difference = [&](std::int64_t i) { return at_end(i, w, direction); };
       const std::int64_t before = direction > 0 ? w : 4 * w, after = 5 * w - before;
       const double spread = usual(before, blocks_ - after, w, difference);
       const double threshold =
-          std::max(step_threshold(4, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_);
+          std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
       if (!(threshold > 0)) continue;
       const std::int64_t begin = direction > 0 ? w : blocks_ - 2 * w + 1;
       for (std::int64_t i = begin; i < begin + w; i += std::max<std::int64_t>(1, w / 8)) {
