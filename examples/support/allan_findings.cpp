@@ -20,6 +20,7 @@ class Findings {
       : analysis_(analysis), noise_(analysis.noise), sensor_(sensor), kind_(sensor.kind), rate_(sensor.rate) {
     steps();
     freezes();
+    disturbances();
     bands();
     misfits();
     fit();
@@ -65,6 +66,18 @@ class Findings {
     }
   }
 
+  void disturbances() {
+    const allan::Stillness& still = analysis_.stillness;
+    if (still.disturbed == 0) return;
+    const double worst = time(still.worst);
+    all_.push_back({"disturbance", worst, worst + 1, "s",
+                    formatted("not at rest? In %lld of %lld overlapping blocks of about a second it spreads or sticks "
+                              "out more than noise explains, the worst from %.0f s on (%.3g times what is usual)",
+                              static_cast<long long>(still.disturbed), static_cast<long long>(still.blocks), worst,
+                              still.worst_ratio),
+                    true});
+  }
+
   void bands() {
     for (const auto& band : noise_.excluded) {
       all_.push_back({"excluded", band.frequencies.lower, band.frequencies.upper, "Hz",
@@ -86,8 +99,8 @@ class Findings {
   void misfits() {
     for (const auto& misfit : analysis_.misfits) {
       all_.push_back({"misfit", misfit.shortest, misfit.longest, "s",
-                      formatted("at averaging times of %.3g to %.3g s the deviation is up to %.3g times that of these "
-                                "terms",
+                      formatted("at averaging times of %.3g to %.3g s the deviation is, at worst, %.3g times that of "
+                                "these terms",
                                 misfit.shortest, misfit.longest, misfit.ratio),
                       true});
     }

@@ -4,9 +4,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <splinertia/allan/stillness.hpp>
+#include <splinertia/allan/freezes.hpp>
 #include <splinertia/allan/unit_check.hpp>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/message.hpp>
@@ -74,16 +73,10 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
   }
 }
 
-void check_stillness(const SensorLog& sensor, ImuLog& log) {
-  const std::int64_t block = std::max<std::int64_t>(20, std::llround(std::min(sensor.rate, 1e9)));
+void check_alive(const SensorLog& sensor) {
   for (const AxisLog& axis : sensor.axes) {
-    const allan::Stillness still = allan::measure_stillness(axis.values, block);
-    if (still.disturbed == 0) continue;
-    log.warnings.push_back(message(sensor_name(sensor.kind), ' ', axis.name, ": not at rest? In ", still.disturbed,
-                                   " of ", still.blocks, " blocks of ", static_cast<double>(block) / sensor.rate,
-                                   " s it varies more than four times as much as in most, the worst ",
-                                   sensor.time_of(static_cast<std::size_t>(still.worst)), " s after the beginning (",
-                                   short_text(still.worst_ratio), " times)"));
-    return;  // the other axes will say the same
+    if (!allan::is_constant(axis.values)) continue;
+    throw std::runtime_error(message(sensor_name(sensor.kind), ' ', axis.name, ": all samples are ",
+                                     axis.values.front(), ": a dead axis, leave it out with - in --columns"));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readings of a static log give away of their units, and whether the sensor was at rest.
+// What the readings of a static log give away of their units, and whether there are any.
 #pragma once
 
 #include "support/imu_log.hpp"
@@ -8,5 +8,5 @@
 /// std::runtime_error instead where that is sure and the unit has not been given.
 void check_unit(const SensorLog& sensor, bool given, ImuLog& log);
 
-/// Warns of stretches that vary more than most.
-void check_stillness(const SensorLog& sensor, ImuLog& log);
+/// Throws std::runtime_error for an axis that never changes.
+void check_alive(const SensorLog& sensor);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/deviation_misfit.hpp>
@@ -15,6 +16,7 @@
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/resolution.hpp>
 #include <splinertia/allan/steps.hpp>
+#include <splinertia/allan/stillness.hpp>
 #include <vector>
 
 namespace splinertia::allan {
@@ -22,7 +24,7 @@ namespace splinertia::allan {
 /// How far a model describes a log.
 enum class Adequacy {
   adequate,   ///< all of it
-  partial,    ///< but for what is named: bands that were left out, steps; what is reported holds without these
+  partial,    ///< but for what is named: bands that were left out, steps, knocks; it holds without these
   inadequate  ///< not: intervals do not hold
 };
 
@@ -34,6 +36,7 @@ struct Analysis {
   std::vector<DeviationMisfit<Scalar>> misfits{};  ///< between the two
   std::vector<Step> steps{};
   std::vector<SampleSpan> freezes{};
+  Stillness stillness{};               ///< in blocks of a second
   std::optional<Scalar> resolution{};  ///< unit of the signal, if it shows
   RoundingEffect rounding = RoundingEffect::none;
   bool used_to_the_end = true;  ///< no octaves at the upper end of the spectrum were left out
@@ -41,7 +44,8 @@ struct Analysis {
   [[nodiscard]] Adequacy adequacy() const {
     const bool left_out = !noise.excluded.empty() || !used_to_the_end;
     if (!noise.fits || !freezes.empty() || rounding == RoundingEffect::invalid) return Adequacy::inadequate;
-    if (!left_out && steps.empty()) return misfits.empty() ? Adequacy::adequate : Adequacy::inadequate;
+    if (!left_out && steps.empty() && stillness.disturbed == 0)
+      return misfits.empty() ? Adequacy::adequate : Adequacy::inadequate;
     return Adequacy::partial;
   }
 };
@@ -66,13 +70,20 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
                                        const IdentifyOptions<Scalar>& options = {}) {
   Analysis<Scalar> result{.curve = curve<OverlappingAllanDeviation>(signal),
                           .noise = Identification<Scalar>({&spectrum, 1}, options).estimates()};
-  result.freezes = find_freezes(samples);
-  result.steps = find_steps(signal, {.left_out = result.freezes});
+  StepOptions steps{};
   if (const auto resolution = find_resolution(samples)) {
     result.resolution = static_cast<Scalar>(*resolution);
     const Scalar deviation = result.noise.N.value * std::sqrt(signal.rate());
     result.rounding = rounding_effect(*resolution, static_cast<double>(deviation));
+    // A mean that crosses from one value to the next is no step.
+    if (result.rounding == RoundingEffect::invalid) steps.least_height = *resolution;
   }
+  steps.left_out = result.freezes = find_freezes(samples);
+  result.steps = find_steps(signal, steps);
+  // Blocks of a second.
+  constexpr std::int64_t least_block = 20, most_block = 1'000'000'000;
+  const auto second = static_cast<double>(std::min(signal.rate(), static_cast<Scalar>(most_block)));
+  result.stillness = measure_stillness(samples, std::max(least_block, static_cast<std::int64_t>(std::llround(second))));
   result.used_to_the_end = result.noise.highest_frequency >= signal.rate() / 2;
   result.misfits = deviation_misfits(result.curve, result.noise);
   using enum NoiseTerm;

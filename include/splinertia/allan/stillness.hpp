@@ -21,7 +21,9 @@ struct Stillness {
   double worst_ratio;      ///< its standard deviation, or largest deviation, over that of most blocks
 };
 
-namespace detail {
+}  // namespace splinertia::allan
+
+namespace splinertia::detail {
 
 /// What half a block is like: of the samples less `origin`, so that a large mean takes no digits from the squares.
 struct HalfBlock {
@@ -55,7 +57,9 @@ struct BlockLimit {
   double usual, limit;
 };
 
-}  // namespace detail
+}  // namespace splinertia::detail
+
+namespace splinertia::allan {
 
 /// Cuts a signal into blocks of `length` samples (about a second, at least 20), each half over the next one, and
 /// compares what is in a block with the others: the standard deviation, and the largest deviation from the block's
