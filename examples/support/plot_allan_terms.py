@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: MIT
+"""Noise terms in the plot of the Allan deviation: as lines with labels if the axes share them, else as a table."""
+import math
+
+from plot_allan_files import TERMS
+
+# The Allan deviation that a coefficient of 1 gives at 1 s, and its slope; so it can be read off the line at the time
+# where the line has the coefficient's value.
+LINES = {
+    "Q": (math.sqrt(3), -1),
+    "N": (1, -0.5),
+    "B": (math.sqrt(2 * math.log(2) / math.pi), 0),
+    "K": (1 / math.sqrt(3), 0.5),
+    "R": (1 / math.sqrt(2), 1),
+}
+SIDES = {  # of the point on the line where its text may stand, the best first
+    "Q": ["lower left", "upper right", "upper left", "lower right"],
+    "N": ["upper right", "lower left", "upper left", "lower right"],
+    "B": ["upper right", "lower right"],
+    "K": ["lower right", "upper left", "lower left", "upper right"],
+    "R": ["lower right", "upper left", "lower left", "upper right"],
+    "G": ["upper left", "upper right", "lower right", "lower left"],
+}
+DEGREE, MICRO_G = math.pi / 180, 9.80665e-6
+FLOOR = math.sqrt(2 * math.log(2) / math.pi)  # of the curve over B, which data sheets call bias instability
+FAMILIAR = {  # what data sheets write
+    ("gyroscope", "N"): (DEGREE / 60, "°/√h"),
+    ("gyroscope", "B"): (DEGREE / 3600 / FLOOR, "°/h, floor"),
+    ("accelerometer", "N"): (1 / 60, "m/s/√h"),
+    ("accelerometer", "B"): (MICRO_G / FLOOR, "µg, floor"),
+}
+UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
+GUIDE, DOTTED = "0.45", (0, (1, 1.5))
+TABLE_WIDTHS = {"G": 1.6, "W": 1.6}  # of columns, in those of the others
+WIDEST_TABLE = 6.6
+
+
+def shared_terms(axes):
+    """Those that all axes have in common, {} if there are none."""
+    return axes.get("all") or (next(iter(axes.values())) if len(axes) == 1 else {})
+
+
+def detected_terms(terms):
+    return [terms[name] for name in TERMS if name in terms and terms[name].status == "detected"]
+
+
+def figures(value, count):
+    """0.0150, or 5.00×10⁻⁵"""
+    if value == 0 or 1e-3 <= abs(value) < 1e5:
+        return f"{value:#.{count}g}".rstrip(".") if value < 10**count else f"{value:.0f}"
+    mantissa, exponent = f"{value:.{count - 1}e}".split("e")
+    return f"{mantissa}×10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def estimate_text(sensor, term):
+    text = f"{term.name}  {figures(term.value, 3)} {term.unit}".strip()
+    familiar = FAMILIAR.get((sensor, term.name))
+    if familiar and term.unit.startswith(UNITS[sensor]):
+        text += f"  ({figures(term.value / familiar[0], 3)} {familiar[1]})"
+    return text + (f", {figures(term.time, 2)} s" if math.isfinite(term.time) else "")
+
+
+def cell_text(term):
+    """A value, with a question mark if other descriptions do without the term."""
+    if term.status == "absent":
+        return "–"
+    mark = " ?" if term.status == "possible" else ""
+    if not term.value > 0:
+        return f"< {figures(term.limit, 2)}{mark}" if math.isfinite(term.limit) else "?"
+    time = f", {figures(term.time, 2)} s" if math.isfinite(term.time) else ""
+    return f"{figures(term.value, 2 if time else 3)}{time}{mark}"
+
+
+def shared_notes(terms):
+    """Lines about shared terms that have no line in the plot."""
+    lines = []
+    others = [term for term in terms.values() if term.status == "possible" or (term.status, term.name) == ("detected", "W")]
+    if others:
+        lines.append(",  ".join(f"{term.name} {cell_text(term)} ({term.unit})" for term in others) +
+                     ("   (?: other descriptions do without)" if any(term.status == "possible" for term in others) else ""))
+    limits = [f"{term.name} < {figures(term.limit, 2)} {term.unit}".strip() for term in terms.values()
+              if term.status == "absent" and math.isfinite(term.limit)]
+    if limits:
+        lines.append("not detected:  " + ",  ".join(limits))
+    return lines
+
+
+def gauss_markov_deviation(term, tau):
+    """Allan deviation of an exponentially correlated bias (IEEE Std 952-1997, annex C)."""
+    ratio = tau / term.time
+    if ratio < 1e-3:
+        return term.value * math.sqrt(2 * ratio / 3)
+    change = 1 - (3 - 4 * math.exp(-ratio) + math.exp(-2 * ratio)) / (2 * ratio)
+    return term.value * math.sqrt(2 * change / ratio)
+
+
+def reading_point(term):
+    """Where the coefficient is read off its line: averaging time and deviation; the time of a flat one is None."""
+    if term.name == "G":  # the top, about 0.62 of the standard deviation
+        return 1.89 * term.time, gauss_markov_deviation(term, 1.89 * term.time)
+    factor, slope = LINES[term.name]
+    return (factor ** (-1 / slope), term.value) if slope else (None, factor * term.value)
+
+
+def limits_of(axes, detected):
+    """The window: all of the curves, and of the points where coefficients are read what is near."""
+    taus = [tau for values in axes.values() for tau in values[0]]
+    lows = [max(low, deviation / 3) for values in axes.values() for deviation, low in zip(values[1], values[2])]
+    highs = [min(high, deviation * 3) for values in axes.values() for deviation, high in zip(values[1], values[3])]
+    left, right, bottom, top = min(taus), max(taus), min(lows), max(highs)
+    floor = bottom / 1000
+    for term in detected:
+        if term.name == "W":
+            continue
+        height = reading_point(term)[1]
+        if height >= floor:
+            bottom = min(bottom, height)
+        top = max(top, min(height, 10 * top))
+    margin = (right / left) ** 0.03
+    return left / margin, right * margin, bottom / 10**0.35, top * 10**0.2
+
+
+def draw_terms(plot, sensor, detected, window):
+    """Their lines, and their labels, which are returned."""
+    left, right, bottom, top = window
+    labels = []
+    for term in detected:
+        if term.name == "W":
+            continue
+        if term.name == "G":
+            taus = [left * (right / left) ** (i / 100) for i in range(101)]
+            heights = [gauss_markov_deviation(term, tau) for tau in taus]
+        else:
+            factor, slope = LINES[term.name]
+            taus = [left, right]
+            heights = [factor * term.value * tau**slope for tau in taus]
+        plot.plot(taus, heights, color=GUIDE, linewidth=0.9, linestyle=DOTTED, zorder=1.5)
+        at, height = reading_point(term)
+        if at is None:
+            at = left
+        elif left < at < right and bottom < height < top:
+            plot.plot([at], [height], "o", color="black", markersize=5, zorder=5)
+        elif term.name == "G":
+            at = min(max(at, left), right)
+            height = gauss_markov_deviation(term, at)
+        else:
+            # Where the line is low in the window.
+            height = bottom * (top / bottom) ** 0.2
+            at = min(max((height / (factor * term.value)) ** (1 / slope), left), right)
+            height = factor * term.value * at**slope
+        label = plot.annotate(estimate_text(sensor, term), (at, height), textcoords="offset points", xytext=(0, 0), zorder=6,
+                              color="black" if term.adequacy != "inadequate" else "0.5",
+                              bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "alpha": 0.8, "linewidth": 0})
+        label.sides = SIDES[term.name]
+        labels.append(label)
+    return labels
+
+
+def place_labels(plot, labels, points):
+    """Each label on the side of its point where it covers no other label, stays inside and hides the least curve."""
+    points = plot.transData.transform(points)
+    taken = []
+
+    def stand(label, side):
+        up, right = side.startswith("upper"), side.endswith("right")
+        label.set(position=(7 if right else -7, 3 if up else -3))
+        label.set(ha="left" if right else "right", va="bottom" if up else "top")
+        return label.get_window_extent().padded(5)
+
+    def cost(label, side):
+        box = stand(label, side)
+        outside = not (plot.bbox.x0 < box.x0 and box.x1 < plot.bbox.x1 and plot.bbox.y0 < box.y0 and box.y1 < plot.bbox.y1)
+        shared = (box.intersection(box, other) for other in taken)
+        covered = sum(part.width * part.height for part in shared if part)
+        return 1e6 * outside + covered + 50 * sum(box.contains(*point) for point in points)
+
+    for label in labels:
+        taken.append(stand(label, min(label.sides, key=lambda side: cost(label, side))))
+
+
+def draw_table(plot, axes, colours, labels):
+    """Detected and possible terms, an axis a row. If there are too many, possible ones are not shown."""
+    shown = [name for name in TERMS if any(terms[name].status != "absent" for terms in axes.values() if name in terms)]
+    shown.sort(key=lambda name: all(terms[name].status != "detected" for terms in axes.values() if name in terms))
+    widths = [TABLE_WIDTHS.get(name, 1) for name in shown]
+    while sum(widths) > WIDEST_TABLE:
+        shown.pop()
+        widths.pop()
+    places = [0.1 + 0.9 * sum(widths[:i + 1]) / max(sum(widths), 4) for i in range(len(widths))]
+    rows = len(axes) + 2
+    plot.set_axis_off()
+
+    def write(place, row, text, **style):
+        plot.text(place, 1 - (row + 0.5) / rows, text, transform=plot.transAxes, va="center", fontsize=9, **style)
+
+    for place, name in zip(places, shown):
+        unit = next(terms[name].unit for terms in axes.values() if name in terms)
+        write(place, 0, name, ha="right", weight="bold")
+        write(place, 1, unit + (", s" if name in TABLE_WIDTHS else ""), ha="right", color="0.35")
+    for row, (axis, terms) in enumerate(axes.items(), 2):
+        write(0, row, labels[axis], ha="left", weight="bold", color=colours[axis])
+        for place, name in zip(places, shown):
+            if name in terms:
+                write(place, row, cell_text(terms[name]), ha="right",
+                      color="0.55" if terms[name].adequacy == "inadequate" else "black")
