@@ -18,11 +18,17 @@ from plot_allan_terms import (DOTTED, GUIDE, UNITS, detected_terms, draw_table, 
 COLOURS = [plotting.BLUE, plotting.RED, plotting.GREEN, plotting.PURPLE, plotting.ORANGE, plotting.SKY]
 ALL, WARNING, NOTE = "black", "#A00000", "0.3"  # the model of all axes; texts
 LEFT_OUT = {"facecolor": "0.45", "edgecolor": "0.35", "linewidth": 0.6}
-MISFIT = {"facecolor": "#F0E442", "edgecolor": "#B8A800", "linewidth": 0.6}
+MISFIT = {"facecolor": "#F0C000", "edgecolor": "#B89000", "linewidth": 0.6}
 PALE = 0.35
+NOTE_HEIGHT = 13  # points
 CURVE = {"linewidth": 1.8}
 MODEL = {"linewidth": 1.5, "linestyle": (0, (4, 2))}
-EVENTS = {"step": "steps", "freeze": "frozen spans", "disturbance": "disturbances"}
+WORDS = {  # for one or two findings, for more, their unit
+    "excluded": ("left out", "bands left out", "Hz"),
+    "step": ("step at", "steps", "s"),
+    "freeze": ("frozen", "frozen spans", "s"),
+    "disturbance": ("disturbed", "disturbances", "s"),
+}
 
 
 class Style:
@@ -79,7 +85,7 @@ def shade(plot, axes, findings, kinds, span, style):
             begin, end = span(finding)
             begin, end = max(begin, left), min(end, right)
             if begin < end:
-                plot.axvspan(begin, end, alpha=0.4 / len(axes), zorder=1, **style)
+                plot.axvspan(begin, end, alpha=0.25 / len(axes), zorder=1, **style)
                 drawn = True
     return drawn
 
@@ -134,47 +140,57 @@ def draw_deviation(plot, sensor, axes, noise, findings, style):
 def draw_spectrum(plot, axes, noise, findings, style):
     import numpy
     every = numpy.concatenate(list(axes.values()), axis=1)
-    frequency, low, high = every[0], numpy.maximum(every[2], every[1] / 3), numpy.minimum(every[3], every[1] * 3)
+    frequency, density, lower, upper = every[:4]
+    # A few uncertain values far down are nothing to look at.
+    bottom = min(numpy.percentile(density, 5), lower.min(where=upper < 2 * lower, initial=math.inf))
     margin = (frequency.max() / frequency.min()) ** 0.03
     unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
-    draw_scales(plot, (frequency.min() / margin, frequency.max() * margin, low.min() / 1.3, high.max() * 1.3),
-                "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
+    window = (frequency.min() / margin, frequency.max() * margin, bottom / 1.5, numpy.minimum(upper, density * 3).max() * 1.3)
+    draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
     for axis, (x, y, lower, upper, _, _) in axes.items():
         draw_values(plot, x, y, lower, upper, style.colours[axis])
     draw_models(plot, {axis: (values[0], values[4], values[5] > 0) for axis, values in axes.items()}, style)
     return shade(plot, axes, findings, ["excluded", "unused"], frequencies, LEFT_OUT)
 
 
-def together(texts, style):
+def together(axes, style, text_of):
     """Axes that have the same text in one: "x, y: text"."""
     groups = {}
-    for axis, text in texts:
-        groups.setdefault(text, []).append(style.labels[axis])
-    return ["all axes: " + text if len(names) == len(style.labels) > 1 else f"{', '.join(names)}: {text}"
+    for axis in axes:
+        if text := text_of(axis):
+            groups.setdefault(text, []).append(style.labels[axis])
+    return ["all axes: " + text if len(names) == len(axes) > 1 else f"{', '.join(names)}: {text}"
             for text, names in groups.items()]
 
 
-def event_text(kind, found):
-    first = found[0]
+def findings_text(kind, found):
+    if not found:
+        return ""
+    if kind == "unused":
+        return f"left out above {found[0].start:.4g} Hz"
+    one, many, unit = WORDS[kind]
     if len(found) > 2:
-        return f"{len(found)} {EVENTS[kind]}, the first at {first.start:.6g} s"
-    if kind == "step":
-        return " and ".join(f"step at {finding.start:.6g} s" for finding in found)
-    word = "frozen" if kind == "freeze" else "disturbed"
-    return f"{word} " + " and ".join(f"{finding.start:.6g} … {finding.end:.6g} s" for finding in found)
+        return f"{len(found)} {many}, the first at {found[0].start:.4g} {unit}"
+    spans = [f"{finding.start:.6g}" + (f" … {finding.end:.6g}" if finding.end > finding.start else "")
+             for finding in found]
+    return f"{one} {' and '.join(spans)} {unit}"
 
 
-def notes_of(sensor_axes, noise, findings, style, width):
+def notes_of(axes, noise, findings, style):
     """Lines over a panel, each with its colour."""
-    adequacy = {axis: next(iter(terms.values())).adequacy for axis, terms in noise.items() if axis in sensor_axes}
-    warnings = together([(axis, "model does not describe it") for axis in adequacy if adequacy[axis] == "inadequate"], style)
-    partial = together([(axis, "described in part") for axis in adequacy if adequacy[axis] == "partial"], style)
-    events = together([(axis, event_text(kind, found)) for kind in EVENTS for axis in sensor_axes
-                       if (found := of_axis(findings, axis, kind))], style)
-    lines = [("; ".join(warnings), WARNING), ("; ".join(partial + events), NOTE)]
+    adequacy = {axis: next(iter(terms.values())).adequacy for axis, terms in noise.items()}
+
+    def text_of(axis):
+        texts = ["described in part"] if adequacy.get(axis) == "partial" else []
+        texts += [findings_text(kind, of_axis(findings, axis, kind)) for kind in ["unused", *WORDS]]
+        return ", ".join(filter(None, texts))
+
+    warnings = together(axes, style,
+                        lambda axis: "model does not describe it" if adequacy.get(axis) == "inadequate" else "")
+    lines = [("; ".join(warnings), WARNING), (";  ".join(together(axes, style, text_of)), NOTE)]
     lines += [(text, NOTE) for text in shared_notes(shared_terms(noise))]
     return [(part, colour) for text, colour in lines
-            for part in textwrap.wrap(text, width, max_lines=2, placeholder=" …", break_long_words=False)]
+            for part in textwrap.wrap(text, 95, max_lines=2, placeholder=" …", break_long_words=False)]
 
 
 def legend_entries(style, shaded, models, terms):
@@ -184,13 +200,13 @@ def legend_entries(style, shaded, models, terms):
     entries = [line([], [], color=style.colours[name], label=style.labels[name], **CURVE) for name in style.colours]
     entries.append(patch(color="0.5", alpha=0.35, linewidth=0, label="68 % interval"))
     if models:
-        entries.append(line([], [], color=ALL, label="model (pale: not fitted)", **MODEL))
+        entries.append(line([], [], color=ALL, label="model, pale where not fitted" if any(shaded.values()) else "model", **MODEL))
     if terms:
         entries.append(line([], [], color=GUIDE, linewidth=0.9, linestyle=DOTTED, marker="o", markersize=5,
                             markerfacecolor="black", markeredgecolor="black", label="its terms, read at the dot"))
     for name, label, style in (("left out", "left out", LEFT_OUT), ("misfit", "model and curve disagree", MISFIT)):
         if shaded[name]:
-            entries.append(patch(alpha=0.4, label=label, **style))
+            entries.append(patch(alpha=0.25, label=label, **style))
     return entries
 
 
@@ -201,27 +217,29 @@ def draw(curves, noise, spectrum, title, findings):
     style = Style(list(dict.fromkeys(axis for axes in curves.values() for axis in axes)))
     tables = {sensor: {axis: terms for axis, terms in noise.get(sensor, {}).items() if axis in style.labels}
               for sensor in curves if noise.get(sensor) and not shared_terms(noise[sensor])}
-    heights = [4.6] + [2.1] * bool(spectrum) + [0.19 * (2 + max(map(len, tables.values()), default=0))] * bool(tables)
-    figure = matplotlib.figure.Figure(figsize=(12.8 if count > 1 else 8.5, 1.6 + sum(heights)), dpi=125, layout="constrained")
+    heights = [4.6] + [2.1] * bool(spectrum) + [0.2 * (2 + max(map(len, tables.values()), default=0))] * bool(tables)
+    size = 12.8 if count > 1 else 8.5, 1.6 + sum(heights)
+    figure = matplotlib.figure.Figure(figsize=size, dpi=125, layout="constrained")
     grid = figure.subplots(len(heights), count, squeeze=False, gridspec_kw={"height_ratios": heights})
-    notes = {sensor: notes_of(axes, noise.get(sensor, {}), findings.get(sensor, []), style, 105) for sensor, axes in curves.items()}
+    notes = {sensor: notes_of(axes, noise.get(sensor, {}), findings.get(sensor, []), style)
+             for sensor, axes in curves.items()}
     note_lines = max(map(len, notes.values()))
     labelled, shaded = [], {"left out": False, "misfit": False}
     for column, (sensor, axes) in zip(grid.T, curves.items()):
         terms, found = noise.get(sensor, {}), findings.get(sensor, [])
         labels, points, there = draw_deviation(column[0], sensor, axes, terms, found, style)
         labelled.append((column[0], labels, points))
-        column[0].set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + 12 * note_lines)
-        for i, (text, colour) in enumerate(reversed(notes[sensor])):
-            column[0].annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + 12 * i), textcoords="offset points",
-                               fontsize=8.5, color=colour, parse_math=False)
+        column[0].set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + NOTE_HEIGHT * note_lines)
+        for i, (text, colour) in enumerate(notes[sensor], 1):
+            column[0].annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + NOTE_HEIGHT * (note_lines - i)),
+                               textcoords="offset points", fontsize=9.5, color=colour, parse_math=False)
         for panel in column[1:]:
             panel.set_axis_off()
         if spectrum.get(sensor):
             column[1].set_axis_on()
             there["left out"] |= draw_spectrum(column[1], spectrum[sensor], terms, found, style)
         if sensor in tables:
-            draw_table(column[-1], tables[sensor], style.dark, style.labels)
+            draw_table(column[-1], sensor, tables[sensor], style.colours, style.labels)
         shaded = {name: shaded[name] or there[name] for name in shaded}
 
     models = any(numpy.isfinite(values[4]).any() for axes in curves.values() for values in axes.values())
@@ -237,8 +255,8 @@ def draw(curves, noise, spectrum, title, findings):
 
 
 def draw_folder(folder):
-    return draw(read_curves(folder / "curves.csv"), read_noise(folder / "noise.csv"), read_spectrum(folder / "spectrum.csv"),
-                *read_findings(folder / "findings.csv"))
+    return draw(read_curves(folder / "curves.csv"), read_noise(folder / "noise.csv"),
+                read_spectrum(folder / "spectrum.csv"), *read_findings(folder / "findings.csv"))
 
 
 if __name__ == "__main__":

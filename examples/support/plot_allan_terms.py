@@ -2,7 +2,7 @@
 """Noise terms in the plot of the Allan deviation: as lines with labels if the axes share them, else as a table."""
 import math
 
-from plot_allan_files import TERMS
+from plot_allan_files import STATUSES, TERMS
 
 # The Allan deviation that a coefficient of 1 gives at 1 s, and its slope; so it can be read off the line at the time
 # where the line has the coefficient's value.
@@ -31,8 +31,7 @@ FAMILIAR = {  # what data sheets write
 }
 UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
 GUIDE, DOTTED = "0.45", (0, (1, 1.5))
-TABLE_WIDTHS = {"G": 1.6, "W": 1.6}  # of columns, in those of the others
-WIDEST_TABLE = 6.6
+WIDEST_TABLE = 6.9  # in columns of one number
 
 
 def shared_terms(axes):
@@ -52,37 +51,42 @@ def figures(value, count):
     return f"{mantissa}×10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
 
-def estimate_text(sensor, term):
-    text = f"{term.name}  {figures(term.value, 3)} {term.unit}".strip()
-    familiar = FAMILIAR.get((sensor, term.name))
-    if familiar and term.unit.startswith(UNITS[sensor]):
-        text += f"  ({figures(term.value / familiar[0], 3)} {familiar[1]})"
-    return text + (f", {figures(term.time, 2)} s" if math.isfinite(term.time) else "")
+def familiar_unit(sensor, term):
+    """What a coefficient of 1 is in the unit of data sheets, and its name."""
+    size, unit = FAMILIAR.get((sensor, term.name), (1, ""))
+    return (1 / size, unit) if term.unit.startswith(UNITS.get(sensor, term.unit)) else (1, "")
 
 
-def cell_text(term):
-    """A value, with a question mark if other descriptions do without the term."""
-    if term.status == "absent":
-        return "–"
-    mark = " ?" if term.status == "possible" else ""
+def value_text(term, unit=""):
+    """The value with its time, or what else is known of a term that may be there."""
     if not term.value > 0:
-        return f"< {figures(term.limit, 2)}{mark}" if math.isfinite(term.limit) else "?"
-    time = f", {figures(term.time, 2)} s" if math.isfinite(term.time) else ""
-    return f"{figures(term.value, 2 if time else 3)}{time}{mark}"
+        return f"< {figures(term.limit, 2)}{unit}" if math.isfinite(term.limit) else f"–{unit}"
+    if math.isfinite(term.time):
+        return f"{figures(term.value, 2)}{unit}, {figures(term.time, 2)} s"
+    return f"{figures(term.value, 3)}{unit}"
+
+
+def estimate_text(sensor, term):
+    text = f"{term.name}  {value_text(term, f' {term.unit}'.rstrip())}"
+    factor, unit = familiar_unit(sensor, term)
+    return text + (f"  ({figures(term.value * factor, 3)} {unit})" if unit else "")
 
 
 def shared_notes(terms):
     """Lines about shared terms that have no line in the plot."""
-    lines = []
-    others = [term for term in terms.values() if term.status == "possible" or (term.status, term.name) == ("detected", "W")]
-    if others:
-        lines.append(",  ".join(f"{term.name} {cell_text(term)} ({term.unit})" for term in others) +
-                     ("   (?: other descriptions do without)" if any(term.status == "possible" for term in others) else ""))
-    limits = [f"{term.name} < {figures(term.limit, 2)} {term.unit}".strip() for term in terms.values()
-              if term.status == "absent" and math.isfinite(term.limit)]
-    if limits:
-        lines.append("not detected:  " + ",  ".join(limits))
-    return lines
+    def listed(status, title, text, end=""):
+        texts = [text(term) for term in terms.values() if term.status == status]
+        return [f"{title}:  {',  '.join(found)}{end}"] if (found := [text for text in texts if text]) else []
+
+    def whole(term):
+        return f"{term.name} {value_text(term, f' {term.unit}'.rstrip())}"
+
+    def limit(term):
+        return f"{term.name} < {figures(term.limit, 2)} {term.unit}".rstrip() if math.isfinite(term.limit) else ""
+
+    return (listed("detected", "warm-up", lambda term: whole(term) if term.name == "W" else "") +
+            listed("possible", "possible", whole, "  (other descriptions do without)") +
+            listed("absent", "not detected", limit))
 
 
 def gauss_markov_deviation(term, tau):
@@ -178,28 +182,52 @@ def place_labels(plot, labels, points):
         taken.append(stand(label, min(label.sides, key=lambda side: cost(label, side))))
 
 
-def draw_table(plot, axes, colours, labels):
-    """Detected and possible terms, an axis a row. If there are too many, possible ones are not shown."""
-    shown = [name for name in TERMS if any(terms[name].status != "absent" for terms in axes.values() if name in terms)]
-    shown.sort(key=lambda name: all(terms[name].status != "detected" for terms in axes.values() if name in terms))
-    widths = [TABLE_WIDTHS.get(name, 1) for name in shown]
-    while sum(widths) > WIDEST_TABLE:
-        shown.pop()
-        widths.pop()
-    places = [0.1 + 0.9 * sum(widths[:i + 1]) / max(sum(widths), 4) for i in range(len(widths))]
-    rows = len(axes) + 2
+def table_columns(sensor, axes):
+    """Name, unit and width of each column, the text of a term in it; first of what was detected, at most what fits."""
+    columns = []
+    for status in "detected", "possible":
+        for name in TERMS:
+            found = [terms[name] for terms in axes.values() if name in terms]
+            best = min((term.status for term in found), key=STATUSES.index, default="absent")
+            if best != status:
+                continue
+            timed = name in ("G", "W")
+            columns.append((name, found[0].unit + (", s" if timed else ""), 1.6 if timed else 1, value_text))
+            factor, unit = familiar_unit(sensor, found[0])
+            if unit:
+                columns.append(("", unit, 0.9, lambda term, factor=factor: figures(term.value * factor, 3)))
+    if sum(column[2] for column in columns) > WIDEST_TABLE:
+        columns = [column for column in columns if column[0]]
+    all_columns = len(columns)
+    while sum(column[2] for column in columns) > WIDEST_TABLE:
+        columns.pop()
+    if len(columns) < all_columns:
+        columns.append(("…", "", 0.3, None))
+    return columns
+
+
+def draw_table(plot, sensor, axes, colours, labels):
+    """Detected and possible terms, an axis a row; possible ones have a question mark."""
     plot.set_axis_off()
 
     def write(place, row, text, **style):
-        plot.text(place, 1 - (row + 0.5) / rows, text, transform=plot.transAxes, va="center", fontsize=9, **style)
+        height = 1 - (row + 0.5) / (len(axes) + 2)
+        plot.text(place, height, text, transform=plot.transAxes, va="center", fontsize=9.5, **style)
 
-    for place, name in zip(places, shown):
-        unit = next(terms[name].unit for terms in axes.values() if name in terms)
-        write(place, 0, name, ha="right", weight="bold")
-        write(place, 1, unit + (", s" if name in TABLE_WIDTHS else ""), ha="right", color="0.35")
-    for row, (axis, terms) in enumerate(axes.items(), 2):
+    columns = table_columns(sensor, axes)
+    whole = max(sum(column[2] for column in columns), 4)
+    for row, axis in enumerate(axes, 2):
         write(0, row, labels[axis], ha="left", weight="bold", color=colours[axis])
-        for place, name in zip(places, shown):
-            if name in terms:
-                write(place, row, cell_text(terms[name]), ha="right",
-                      color="0.55" if terms[name].adequacy == "inadequate" else "black")
+    place = 0.08
+    for i, (name, unit, width, text) in enumerate(columns):
+        place += 0.92 * width / whole
+        name = name or columns[i - 1][0]
+        write(place, 0, name, ha="right", weight="bold")
+        write(place, 1, unit, ha="right", color="0.35")
+        if not text:
+            continue
+        for row, terms in enumerate(axes.values(), 2):
+            term = terms.get(name)
+            known = term and term.status != "absent"
+            write(place, row, text(term) + " ?" * (term.status == "possible") if known else "–", ha="right",
+                  color="0.55" if known and term.adequacy == "inadequate" else "black")
