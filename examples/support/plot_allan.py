@@ -13,7 +13,7 @@ import textwrap
 import plotting
 from plot_allan_files import read_curves, read_findings, read_noise, read_spectrum
 from plot_allan_terms import (DOTTED, GUIDE, UNITS, detected_terms, draw_table, draw_terms, limits_of, place_labels,
-                              shared_notes, shared_terms)
+                              shared_notes, shared_terms, unbroken)
 
 COLOURS = [plotting.BLUE, plotting.RED, plotting.GREEN, plotting.PURPLE, plotting.ORANGE, plotting.SKY]
 ALL, WARNING, NOTE = "black", "#A00000", "0.3"  # the model of all axes; texts
@@ -111,6 +111,7 @@ def was_fitted(tau, findings, axis):
 
 def draw_scales(plot, window, x_label, y_label):
     import matplotlib.ticker
+    plot.set_axis_on()
     plot.set(xscale="log", yscale="log", xlim=window[:2], ylim=window[2:])
     plot.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
     plot.set_xlabel(x_label)
@@ -143,9 +144,10 @@ def draw_spectrum(plot, axes, noise, findings, style):
     frequency, density, lower, upper = every[:4]
     # A few uncertain values far down are nothing to look at.
     bottom = min(numpy.percentile(density, 5), lower.min(where=upper < 2 * lower, initial=math.inf))
-    margin = (frequency.max() / frequency.min()) ** 0.03
+    margin = max((frequency.max() / frequency.min()) ** 0.03, 1.1)
     unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
-    window = (frequency.min() / margin, frequency.max() * margin, bottom / 1.5, numpy.minimum(upper, density * 3).max() * 1.3)
+    top = numpy.minimum(upper, density * 3).max()
+    window = frequency.min() / margin, frequency.max() * margin, bottom / 1.5, top * 1.3
     draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
     for axis, (x, y, lower, upper, _, _) in axes.items():
         draw_values(plot, x, y, lower, upper, style.colours[axis])
@@ -167,16 +169,16 @@ def findings_text(kind, found):
     if not found:
         return ""
     if kind == "unused":
-        return f"left out above {found[0].start:.4g} Hz"
+        return unbroken(f"left out above {found[0].start:.4g} Hz")
     one, many, unit = WORDS[kind]
     if len(found) > 2:
         return f"{len(found)} {many}, the first at {found[0].start:.4g} {unit}"
     spans = [f"{finding.start:.6g}" + (f" … {finding.end:.6g}" if finding.end > finding.start else "")
              for finding in found]
-    return f"{one} {' and '.join(spans)} {unit}"
+    return unbroken(f"{one} {' and '.join(spans)} {unit}")
 
 
-def notes_of(axes, noise, findings, style):
+def notes_of(axes, noise, findings, style, width):
     """Lines over a panel, each with its colour."""
     adequacy = {axis: next(iter(terms.values())).adequacy for axis, terms in noise.items()}
 
@@ -187,10 +189,10 @@ def notes_of(axes, noise, findings, style):
 
     warnings = together(axes, style,
                         lambda axis: "model does not describe it" if adequacy.get(axis) == "inadequate" else "")
-    lines = [("; ".join(warnings), WARNING), (";  ".join(together(axes, style, text_of)), NOTE)]
+    lines = [("; ".join(warnings), WARNING), ("; ".join(together(axes, style, text_of)), NOTE)]
     lines += [(text, NOTE) for text in shared_notes(shared_terms(noise))]
     return [(part, colour) for text, colour in lines
-            for part in textwrap.wrap(text, 95, max_lines=2, placeholder=" …", break_long_words=False)]
+            for part in textwrap.wrap(text, width, max_lines=2, placeholder=" …")]
 
 
 def legend_entries(style, shaded, models, terms):
@@ -200,7 +202,8 @@ def legend_entries(style, shaded, models, terms):
     entries = [line([], [], color=style.colours[name], label=style.labels[name], **CURVE) for name in style.colours]
     entries.append(patch(color="0.5", alpha=0.35, linewidth=0, label="68 % interval"))
     if models:
-        entries.append(line([], [], color=ALL, label="model, pale where not fitted" if any(shaded.values()) else "model", **MODEL))
+        label = "model, pale where not fitted" if any(shaded.values()) else "model"
+        entries.append(line([], [], color=ALL, label=label, **MODEL))
     if terms:
         entries.append(line([], [], color=GUIDE, linewidth=0.9, linestyle=DOTTED, marker="o", markersize=5,
                             markerfacecolor="black", markeredgecolor="black", label="its terms, read at the dot"))
@@ -210,41 +213,54 @@ def legend_entries(style, shaded, models, terms):
     return entries
 
 
-def draw(curves, noise, spectrum, title, findings):
+def layout(curves, spectrum, tables):
+    """A figure, and of each sensor its panels from above: the deviation, the spectrum and the table, if there is one."""
     import matplotlib.figure
-    import numpy
-    count = len(curves)
-    style = Style(list(dict.fromkeys(axis for axes in curves.values() for axis in axes)))
-    tables = {sensor: {axis: terms for axis, terms in noise.get(sensor, {}).items() if axis in style.labels}
-              for sensor in curves if noise.get(sensor) and not shared_terms(noise[sensor])}
-    heights = [4.6] + [2.1] * bool(spectrum) + [0.2 * (2 + max(map(len, tables.values()), default=0))] * bool(tables)
-    size = 12.8 if count > 1 else 8.5, 1.6 + sum(heights)
+    heights = [4.6]
+    if any(spectrum.values()):
+        heights.append(2.1)
+    if tables:
+        heights.append(0.2 * (2 + max(map(len, tables.values()))))
+    size = 12.8 if len(curves) > 1 else 8.5, 1.6 + sum(heights)
     figure = matplotlib.figure.Figure(figsize=size, dpi=125, layout="constrained")
-    grid = figure.subplots(len(heights), count, squeeze=False, gridspec_kw={"height_ratios": heights})
-    notes = {sensor: notes_of(axes, noise.get(sensor, {}), findings.get(sensor, []), style)
+    grid = figure.subplots(len(heights), len(curves), squeeze=False, gridspec_kw={"height_ratios": heights})
+    for panel in grid[1:].flat:
+        panel.set_axis_off()  # until it is drawn
+    return figure, dict(zip(curves, grid.T))
+
+
+def write_notes(plot, sensor, notes, height):
+    """The title of a panel, with room for so many lines, and the lines."""
+    plot.set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + NOTE_HEIGHT * height)
+    for i, (text, colour) in enumerate(notes, 1):
+        plot.annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + NOTE_HEIGHT * (height - i)),
+                      textcoords="offset points", fontsize=9.5, color=colour, parse_math=False, in_layout=False)
+
+
+def draw(curves, noise, spectrum, title, findings):
+    import numpy
+    style = Style(list(dict.fromkeys(axis for axes in curves.values() for axis in axes)))
+    tables = {sensor: {axis: terms for axis, terms in noise[sensor].items() if axis in curves[sensor]}
+              for sensor in curves if noise.get(sensor) and not shared_terms(noise[sensor])}
+    figure, panels = layout(curves, spectrum, tables)
+    notes = {sensor: notes_of(axes, noise.get(sensor, {}), findings.get(sensor, []), style, 78 if len(curves) > 1 else 105)
              for sensor, axes in curves.items()}
-    note_lines = max(map(len, notes.values()))
     labelled, shaded = [], {"left out": False, "misfit": False}
-    for column, (sensor, axes) in zip(grid.T, curves.items()):
+    for sensor, axes in curves.items():
         terms, found = noise.get(sensor, {}), findings.get(sensor, [])
-        labels, points, there = draw_deviation(column[0], sensor, axes, terms, found, style)
-        labelled.append((column[0], labels, points))
-        column[0].set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + NOTE_HEIGHT * note_lines)
-        for i, (text, colour) in enumerate(notes[sensor], 1):
-            column[0].annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + NOTE_HEIGHT * (note_lines - i)),
-                               textcoords="offset points", fontsize=9.5, color=colour, parse_math=False)
-        for panel in column[1:]:
-            panel.set_axis_off()
+        deviation, *others = panels[sensor]
+        labels, points, there = draw_deviation(deviation, sensor, axes, terms, found, style)
+        labelled.append((deviation, labels, points))
+        write_notes(deviation, sensor, notes[sensor], max(map(len, notes.values())))
         if spectrum.get(sensor):
-            column[1].set_axis_on()
-            there["left out"] |= draw_spectrum(column[1], spectrum[sensor], terms, found, style)
+            there["left out"] |= draw_spectrum(others[0], spectrum[sensor], terms, found, style)
         if sensor in tables:
-            draw_table(column[-1], sensor, tables[sensor], style.colours, style.labels)
+            draw_table(others[-1], sensor, tables[sensor], style.colours, style.labels)
         shaded = {name: shaded[name] or there[name] for name in shaded}
 
     models = any(numpy.isfinite(values[4]).any() for axes in curves.values() for values in axes.values())
     entries = legend_entries(style, shaded, models, any(labels for _, labels, _ in labelled))
-    rows = math.ceil(len(entries) / (9 if count > 1 else 5))
+    rows = math.ceil(len(entries) / (9 if len(curves) > 1 else 5))
     figure.legend(handles=entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows), frameon=False)
     if title:
         figure.suptitle(textwrap.shorten(title, 110, placeholder=" …"), x=0.01, ha="left", fontsize=12, parse_math=False)

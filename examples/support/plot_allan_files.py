@@ -93,7 +93,7 @@ def fitted_or_nan(row):
 
 
 def by_axis(rows, columns):
-    """Of each sensor the axes, of each axis the columns as arrays: columns(row) is None where there is nothing to draw."""
+    """Of each sensor the axes, of each axis the columns as arrays; columns(row) is None where nothing is to be drawn."""
     import numpy
     sensors = {}
     for row in rows:
@@ -123,8 +123,8 @@ def read_curves(path):
 
 
 def read_spectrum(path):
-    """Of each sensor the axes, of each axis the rows frequency, density, lower, upper, fitted, used. No sensors if there is
-    no such file. Densities are chi-square distributed (Wilson and Hilferty, 1931, for the quantiles of 68 %)."""
+    """Of each sensor the axes, of each axis the rows frequency, density, lower, upper, fitted, used. No sensors if there
+    is no such file. Squared densities are chi-square distributed; the quantiles of 68 % are Wilson and Hilferty's."""
     def columns(row):
         frequency, density, fitted = positive(row, "frequency"), not_negative(row, "density"), fitted_or_nan(row)
         count, used = positive(row, "count"), one_of(row, "used", ["0", "1"])

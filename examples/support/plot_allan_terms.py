@@ -31,7 +31,7 @@ FAMILIAR = {  # what data sheets write
 }
 UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
 GUIDE, DOTTED = "0.45", (0, (1, 1.5))
-WIDEST_TABLE = 6.9  # in columns of one number
+WIDEST_TABLE = 6.4  # in columns of one number
 
 
 def shared_terms(axes):
@@ -63,7 +63,7 @@ def value_text(term, unit=""):
         return f"< {figures(term.limit, 2)}{unit}" if math.isfinite(term.limit) else f"–{unit}"
     if math.isfinite(term.time):
         return f"{figures(term.value, 2)}{unit}, {figures(term.time, 2)} s"
-    return f"{figures(term.value, 3)}{unit}"
+    return f"{figures(term.value, 3 if term.status == 'detected' else 2)}{unit}"
 
 
 def estimate_text(sensor, term):
@@ -72,11 +72,16 @@ def estimate_text(sensor, term):
     return text + (f"  ({figures(term.value * factor, 3)} {unit})" if unit else "")
 
 
+def unbroken(text):
+    """With spaces at which no line ends."""
+    return text.replace(" ", "\N{NO-BREAK SPACE}")
+
+
 def shared_notes(terms):
     """Lines about shared terms that have no line in the plot."""
     def listed(status, title, text, end=""):
-        texts = [text(term) for term in terms.values() if term.status == status]
-        return [f"{title}:  {',  '.join(found)}{end}"] if (found := [text for text in texts if text]) else []
+        texts = [unbroken(text(term)) for term in terms.values() if term.status == status]
+        return [f"{title}: {', '.join(found)}{end}"] if (found := list(filter(None, texts))) else []
 
     def whole(term):
         return f"{term.name} {value_text(term, f' {term.unit}'.rstrip())}"
@@ -85,7 +90,7 @@ def shared_notes(terms):
         return f"{term.name} < {figures(term.limit, 2)} {term.unit}".rstrip() if math.isfinite(term.limit) else ""
 
     return (listed("detected", "warm-up", lambda term: whole(term) if term.name == "W" else "") +
-            listed("possible", "possible", whole, "  (other descriptions do without)") +
+            listed("possible", "possible", whole, " (other descriptions do without)") +
             listed("absent", "not detected", limit))
 
 
@@ -120,7 +125,7 @@ def limits_of(axes, detected):
         if height >= floor:
             bottom = min(bottom, height)
         top = max(top, min(height, 10 * top))
-    margin = (right / left) ** 0.03
+    margin = max((right / left) ** 0.03, 1.1)
     return left / margin, right * margin, bottom / 10**0.35, top * 10**0.2
 
 
@@ -212,15 +217,15 @@ def draw_table(plot, sensor, axes, colours, labels):
 
     def write(place, row, text, **style):
         height = 1 - (row + 0.5) / (len(axes) + 2)
-        plot.text(place, height, text, transform=plot.transAxes, va="center", fontsize=9.5, **style)
+        plot.text(place, height, text, transform=plot.transAxes, va="center", fontsize=9, **style)
 
     columns = table_columns(sensor, axes)
-    whole = max(sum(column[2] for column in columns), 4)
+    whole = max(sum(column[2] for column in columns), 5)
     for row, axis in enumerate(axes, 2):
         write(0, row, labels[axis], ha="left", weight="bold", color=colours[axis])
-    place = 0.08
+    place = 0.06
     for i, (name, unit, width, text) in enumerate(columns):
-        place += 0.92 * width / whole
+        place += 0.94 * width / whole
         name = name or columns[i - 1][0]
         write(place, 0, name, ha="right", weight="bold")
         write(place, 1, unit, ha="right", color="0.35")
