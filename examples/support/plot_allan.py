@@ -53,7 +53,8 @@ def parts(x, y, strong):
     beside = rest.copy()
     beside[1:] |= rest[:-1]
     beside[:-1] |= rest[1:]
-    return (numpy.where(strong, y, numpy.nan), 1), (numpy.where(beside, y, numpy.nan), PALE)
+    found = (numpy.where(strong, y, numpy.nan), 1), (numpy.where(beside, y, numpy.nan), PALE)
+    return [(line, alpha) for line, alpha in found if numpy.isfinite(line).any()]
 
 
 def draw_values(plot, x, y, lower, upper, colour):

@@ -98,11 +98,18 @@ def by_axis(rows, columns):
     sensors = {}
     for row in rows:
         axis = sensors.setdefault(row["sensor"], {}).setdefault(row["axis"], [])
-        values = columns(row)
-        # 200 points a decade are more than anybody sees.
-        if values and (not axis or values[0] > axis[-1][0] * 10**0.005):
+        if values := columns(row):
             axis.append(values)
-    return {sensor: {axis: numpy.array(values).T for axis, values in axes.items()} for sensor, axes in sensors.items()}
+
+    def thinned(values):
+        kept = []
+        for point in sorted(values):
+            # 200 points a decade are more than anybody sees.
+            if not kept or point[0] > kept[-1][0] * 10**0.005:
+                kept.append(point)
+        return numpy.array(kept).T
+
+    return {sensor: {axis: thinned(values) for axis, values in axes.items()} for sensor, axes in sensors.items()}
 
 
 def read_curves(path):
