@@ -21,6 +21,8 @@
 #include <vector>
 
 #include "support/allan_analysis.hpp"
+#include "support/allan_files.hpp"
+#include "support/allan_report.hpp"
 #include "support/imu_log.hpp"
 #include "support/imu_noise.hpp"
 #include "support/program.hpp"
@@ -33,7 +35,8 @@ namespace {
 struct Options {
   std::filesystem::path log;
   ImuLogOptions reading;
-  std::vector<std::string> terms{"N", "K", "B", "Q", "R"};
+  std::vector<std::string> terms{"N", "K", "B", "Q", "R", "G", "W"};
+  std::vector<std::string> exclude;
   allan::IdentifyOptions<double> identify;
   std::filesystem::path output = ".";
   std::vector<std::string> for_estimators;
@@ -56,6 +59,19 @@ allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
     if (std::find(symbols.begin(), symbols.end(), symbol(term)) != symbols.end()) terms = terms.with(term);
   }
   return terms;
+}
+
+/// LO-HI, Hz.
+allan::Interval<double> band_of(const std::string& text) {
+  const std::size_t dash = text.find('-', 1);
+  const auto refuse = [&] {
+    return std::invalid_argument(message("--exclude: ", excerpt(text), ", expected a band LO-HI in Hz, such as 49-51"));
+  };
+  if (dash == std::string::npos) throw refuse();
+  const auto lower = parse_real(std::string_view(text).substr(0, dash)),
+             upper = parse_real(std::string_view(text).substr(dash + 1));
+  if (lower.problem || upper.problem || lower.value < 0 || !(lower.value < upper.value)) throw refuse();
+  return {lower.value, upper.value};
 }
 
 std::vector<std::string> estimator_names() {
@@ -84,6 +100,7 @@ void plot(const Options& o) {
 
 void analyse_log(Options o) {
   o.identify.candidates = terms_of(o.terms);
+  for (const std::string& band : o.exclude) o.identify.excluded.push_back(band_of(band));
   const ImuLog log = read_imu_log(o.log, o.reading);
   const LogNoise noise = analyse(log, o.identify, o.threads);
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
@@ -160,25 +177,44 @@ void add_options(CLI::App& app, Options& o) {
                  "default: those of EuRoC")
       ->delimiter(',');
   app.add_option("--rate", reading.rate, "samples a second [Hz], for a table without times");
-  app.add_option("--time-unit", reading.time_unit, "of column t; default: s with --columns, else ns")
+  app.add_option("--time-unit", reading.time_unit,
+                 "of column t; default: ns of a EuRoC file, with --columns s or what the digits show")
       ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
   app.add_option("--gyro-unit", reading.gyro_unit, "default: rad/s")->check(CLI::IsMember({"rad/s", "deg/s"}));
   app.add_option("--accel-unit", reading.accel_unit, "default: m/s2")->check(CLI::IsMember({"m/s2", "g", "mg"}));
   app.add_option("--skip", reading.skip, "leave out the beginning, for the sensor to warm up [s]")
       ->capture_default_str();
+  app.add_option("--until", reading.until, "leave out what comes later [s from the beginning]");
+  app.add_option("--leave-out", reading.leave_out,
+                 "stretch A-B, such as a knock [s from the beginning of the log]; what is on both sides is joined; may "
+                 "be repeated")
+      ->allow_extra_args(false);
   app.add_option("--most-missing", reading.limits.missing, "share of the samples that may be missing")
       ->capture_default_str();
   app.add_option("--most-jitter", reading.limits.jitter, "of the intervals, rms, as a share of one")
       ->capture_default_str();
+  app.add_flag(
+      "--arrival-times", reading.limits.arrival_times,
+      "the times are those of arrival, in bursts or with any jitter: take the rate from their number and span");
+  app.add_flag("--drop-duplicates", reading.drop_duplicates, "leave out rows with the time of the row before");
   app.add_option("--topic", reading.topic, "of a ROS bag that has several with IMU messages");
+  app.add_option("--accel-log", reading.accel_log,
+                 "log of the accelerometer, if the other is of the gyroscope alone; each keeps its own rate");
+  app.add_option("--accel-columns", reading.accel_columns, "of that; default: t,ax,ay,az")->delimiter(',');
+  app.add_option("--accel-rate", reading.accel_rate, "samples a second [Hz], of that, for a table without times");
+  app.add_option("--accel-topic", reading.accel_topic, "of that");
   app.add_option("--terms", o.terms, "that may be in it")
       ->delimiter(',')
-      ->check(CLI::IsMember({"N", "K", "B", "Q", "R"}))
+      ->check(CLI::IsMember({"N", "K", "B", "Q", "R", "G", "W"}))
       ->capture_default_str();
   app.add_option("--confidence", o.identify.confidence, "of the intervals and limits of N, K, B, Q, R")
       ->capture_default_str();
   app.add_option("--highest-frequency", o.identify.highest_frequency,
-                 "ignore what is above [Hz]; default: all that white noise describes");
+                 "ignore what is above [Hz]; default: half the rate");
+  app.add_option("--exclude", o.exclude, "ignore a band of frequencies LO-HI [Hz]; again for another one")
+      ->allow_extra_args(false);
+  app.add_flag("!--keep-misfits", o.identify.exclude_misfits,
+               "do not leave out the bands where the power is not that of noise (lines, resonances, filters)");
   app.add_option("-o,--output", o.output,
                  "folder for curves.csv, noise.csv, the files for estimators, allan.png and .svg")
       ->capture_default_str();

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The Allan analysis of a static log: what is computed, written to files and printed.
+// The Allan analysis of a static log.
 #pragma once
 
-#include <filesystem>
 #include <optional>
-#include <splinertia/allan/curve.hpp>
-#include <splinertia/allan/identify.hpp>
+#include <splinertia/allan/analysis.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "support/allan_findings.hpp"
 #include "support/imu_log.hpp"
-#include "support/imu_noise.hpp"
 
 struct AxisNoise {
   char name;  ///< x, y, z
-  splinertia::allan::Curve<double> curve;
-  splinertia::allan::NoiseEstimates<double> noise;
+  splinertia::allan::Analysis<double> analysis;
+  std::vector<Finding> findings;
+
+  [[nodiscard]] const splinertia::allan::NoiseEstimates<double>& noise() const { return analysis.noise; }
 };
 
 struct SensorNoise {
@@ -23,7 +24,17 @@ struct SensorNoise {
   double rate;      ///< Hz
   double duration;  ///< s
   std::vector<AxisNoise> axes;
-  splinertia::allan::NoiseEstimates<double> pooled;  ///< of all axes together
+  /// Of all axes together: only of several that agree, each of which is described by its terms.
+  std::optional<splinertia::allan::NoiseEstimates<double>> pooled;
+
+  /// The estimates that there are, with the name of their axis, or "all".
+  struct Row {
+    std::string name;
+    const splinertia::allan::NoiseEstimates<double>* noise;
+    splinertia::allan::Adequacy adequacy;
+    bool disturbed = false;  ///< by steps or freezes: what shows of slow terms may be theirs
+  };
+  [[nodiscard]] std::vector<Row> rows() const;
 };
 
 struct LogNoise {
@@ -35,25 +46,11 @@ struct LogNoise {
   std::optional<std::string> topic{};  ///< of the ROS bag, if it is one
 };
 
-/// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all.
-/// So many axes at once, each in a thread. Throws std::runtime_error that names log, sensor and axis for a signal that
-/// cannot be analysed.
+/// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all, if
+/// they agree. So many axes at once, each in a thread. Throws std::runtime_error that names log, sensor and axis for a
+/// signal that cannot be analysed.
 [[nodiscard]] LogNoise analyse(const ImuLog& log, const splinertia::allan::IdentifyOptions<double>& options,
                                unsigned threads = 1);
 
-/// The four densities that estimators want, and a line about each that needs one: those of all axes together, or of the
-/// noisiest axis if the axes differ by more than their intervals; of what is not detected the upper limit, because
-/// estimators refuse zero. Nothing if there are not both sensors, or not N and K among the candidates.
-struct EstimatorNoise {
-  ImuNoise imu;
-  std::vector<std::string> comments;
-};
-[[nodiscard]] std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise);
-
-/// Writes curves.csv, noise.csv and, if there is an estimator_noise, a file for each of the estimators (imu.yaml, ...)
-/// to a folder, which is made: all or none.
-void write_files(const LogNoise& noise, const std::filesystem::path& folder,
-                 const std::vector<Estimator>& for_estimators = {estimators.begin(), estimators.end()});
-
-/// Prints tables and what they mean.
-void print_report(const ImuLog& log, const LogNoise& noise);
+/// adequate, partial, inadequate
+[[nodiscard]] std::string_view name(splinertia::allan::Adequacy adequacy);

@@ -144,13 +144,14 @@ def write_bag(arguments, progress):
             os.replace(folder / temporary.name, temporary)
 
 
-def read_bag(path, wanted, progress):
-    """The samples (stamp, wx, wy, wz, ax, ay, az) of a bag, as they arrived."""
+def read_bag(path, wanted, duplicates, progress):
+    """The topic, then the samples (stamp, wx, wy, wz, ax, ay, az) of a bag, as they arrived."""
     with opened(path) as (reader, ros1):
         connections = choose_topic(path, reader.connections, [MESSAGE], "IMU", wanted)
         topic = connections[0].topic
         total = max(1, sum(connection.msgcount for connection in connections))
         decode = decoder(ros1)
+        yield topic
         last, index = -1, -1
         for index, (_, _, data) in enumerate(guarded(path, reader.messages(connections))):
             if index % 4096 == 0:
@@ -159,9 +160,10 @@ def read_bag(path, wanted, progress):
                 sample = decode(data)
             except (struct.error, ValueError) as error:
                 raise Failure(f"{path}: message {index + 1} of {topic} is no sensor_msgs/Imu: {error}") from None
-            if not sample[0] > last:
+            if not sample[0] > last and not (duplicates and sample[0] == last >= 0):
                 raise Failure(f"{path}: message {index + 1} of {topic} has stamp {sample[0]} ns after {last}, "
-                              "expected increasing header stamps" if index else
+                              "expected increasing header stamps" +
+                              " (allan: --drop-duplicates)" * (sample[0] == last) if index else
                               f"{path}: the first message of {topic} has stamp {sample[0]} ns, expected 0 or more")
             last = sample[0]
             yield sample
@@ -171,7 +173,8 @@ def read_bag(path, wanted, progress):
 
 def write_csv(arguments, progress):
     source = pathlib.Path(arguments.input)
-    samples = read_bag(source, arguments.topic, progress)
+    samples = read_bag(source, arguments.topic, arguments.keep_duplicates, progress)
+    topic = next(samples)
     samples = itertools.chain([next(samples)], samples)  # most of what can be wrong is found before anything is written
     with contextlib.ExitStack() as stack:
         if arguments.output == "-":
@@ -182,6 +185,8 @@ def write_csv(arguments, progress):
                 raise Failure(f"{arguments.output}: exists and is not a regular file; - is the standard output")
             file = stack.enter_context(open(stack.enter_context(replacing(target)), "w", newline="\n"))
         write = file.write
+        if arguments.name_topic:
+            write(f"#topic {topic}\n")
         write(HEADER + "\n")
         for index, (stamp, wx, wy, wz, ax, ay, az) in enumerate(samples, 1):
             line = f"{stamp},{wx!r},{wy!r},{wz!r},{ax!r},{ay!r},{az!r}\n"
@@ -205,6 +210,8 @@ def main():
     command.add_argument("input", help="log.bag (ROS 1), log.mcap, log.db3 or a folder (ROS 2)")
     command.add_argument("output", help="csv to write, - for the standard output")
     command.add_argument("--topic", help="needed if there are several with IMU messages")
+    command.add_argument("--name-topic", action="store_true", help="begin with a line #topic NAME")
+    command.add_argument("--keep-duplicates", action="store_true", help="write messages whose stamp equals the one before")
     command.set_defaults(run=write_csv)
     with standard_output.checked("imu_bag.py"):
         arguments = parser.parse_args()

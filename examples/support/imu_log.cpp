@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "support/imu_log.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <map>
-#include <splinertia/allan/stillness.hpp>
-#include <splinertia/allan/unit_check.hpp>
-#include <splinertia/imu/error_term.hpp>
+#include <span>
 #include <splinertia/io/number_text.hpp>
-#include <splinertia/io/seconds_text.hpp>
+#include <splinertia/io/stamp_unit.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/message.hpp>
 #include <splinertia/require.hpp>
@@ -20,299 +15,231 @@
 #include <stdexcept>
 #include <utility>
 
-#include "support/progress.hpp"
+#include "support/formatted.hpp"
+#include "support/imu_log_checks.hpp"
+#include "support/imu_log_columns.hpp"
+#include "support/imu_log_stamps.hpp"
+#include "support/imu_log_stretches.hpp"
 #include "support/python_script.hpp"
 
 using namespace splinertia;
-using std::chrono::nanoseconds;
 
 namespace {
 
-constexpr std::array<std::string_view, 7> column_names{"t", "gx", "gy", "gz", "ax", "ay", "az"};
-constexpr std::size_t unused = column_names.size();
-
-/// What is in a file: by column_names, those that it lacks stay empty.
-struct Columns {
-  std::vector<nanoseconds> times;
-  std::array<std::vector<double>, column_names.size()> values;  // the first is unused
-  std::size_t rows = 0;
+/// The samples of one log, in rows, and when they were taken.
+struct Stream {
+  ImuTable table;
+  ImuColumns columns;
+  LeftOut left_out;
+  double rate = 0;  // Hz
+  std::optional<LogSampling> sampling;
 };
 
-/// The powers of ten that are a second.
-const std::map<std::string, int> time_units{{"s", 0}, {"ms", 3}, {"us", 6}, {"ns", 9}};
+constexpr auto gyro_columns = std::span(imu_column_names).subspan(1, 3);
+constexpr auto accel_columns = std::span(imu_column_names).subspan(4, 3);
 
-/// Reads the rows of a table.
-class ColumnReader {
- public:
-  explicit ColumnReader(const ImuLogOptions& options) {
-    std::vector<std::string> names = options.columns;
-    if (names.empty()) names.assign(column_names.begin() + (options.rate ? 1 : 0), column_names.end());
-    for (const std::string& name : names) {
-      const auto found = std::find(column_names.begin(), column_names.end(), name);
-      const auto place = static_cast<std::size_t>(found - column_names.begin());
-      if (place == unused && name != "-") {
-        throw std::invalid_argument(
-            message("--columns: ", excerpt(name), ", expected t, gx, gy, gz, ax, ay, az, or - for what is not wanted"));
-      }
-      if (place != unused && std::find(places_.begin(), places_.end(), place) != places_.end()) {
-        throw std::invalid_argument(message("--columns: ", name, " is there twice, expected each once"));
-      }
-      places_.push_back(place);
-      names_ += (names_.empty() ? "" : ",") + name;
-    }
-    const bool has_time = std::find(places_.begin(), places_.end(), 0) != places_.end();
-    if (std::all_of(places_.begin(), places_.end(), [](std::size_t place) { return place == 0 || place == unused; })) {
-      throw std::invalid_argument(message("--columns: ", names_, ", expected at least one of gx, gy, gz, ax, ay, az"));
-    }
-    if (has_time && options.rate) {
-      throw std::invalid_argument(message("--rate: the log has times (column t), expected one of them"));
-    }
-    if (!has_time && !options.rate) {
-      throw std::invalid_argument(message("--columns: ", names_, ", expected t among them, or --rate"));
-    }
-    time_unit_ = options.time_unit.value_or(options.columns.empty() ? "ns" : "s");
-    time_digits_ = time_units.at(time_unit_);
+bool is_among(std::span<const std::string_view> names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// How to read the log of both sensors, or of one of two logs.
+ImuTable table_of(const std::filesystem::path& path, const ImuLogOptions& options) {
+  ImuTable table{.path = path,
+                 .columns = options.columns,
+                 .rate = options.rate,
+                 .time_unit = std::nullopt,
+                 .usual_time_unit = std::nullopt,
+                 .drop_duplicates = options.drop_duplicates,
+                 .topic = options.topic,
+                 .python = options.python};
+  if (options.time_unit) {
+    const auto named = [&](TimeUnit unit) { return time_unit_name(unit) == *options.time_unit; };
+    table.time_unit = *std::find_if(all_time_units.begin(), all_time_units.end(), named);
   }
+  return table;
+}
 
-  void read(TextFile& file, Columns& columns, std::optional<Progress>& progress) const {
-    std::vector<std::string_view> fields;
-    bool may_be_names = true;
-    while (file.next()) {
-      if (progress) progress->advance(file.line().size() + 1);
-      split_fields(file.line(), fields);
-      if (fields.size() != places_.size()) {
-        file.fail(fields.size(), fields.size() == 1 ? " column" : " columns", ", expected ", places_.size(), ": ",
-                  names_, columns.rows == 0 ? " (--columns)" : "");
-      }
-      if (std::exchange(may_be_names, false) && std::all_of(fields.begin(), fields.end(), is_name)) continue;
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        const std::size_t place = places_[i];
-        if (place == 0) {
-          add_time(file, fields[i], columns.times);
-        } else if (place != unused) {
-          const Parsed<double> number = parse_real(fields[i]);
-          if (number.problem) refuse(file, fields[i], number.problem, i);
-          columns.values[place].push_back(number.value);
-        }
-      }
-      ++columns.rows;
-    }
+/// Fills in the columns that were not given: those of EuRoC without the ones of a sensor that another log is for.
+void complete(ImuTable& table, std::span<const std::string_view> of_other_log) {
+  const bool bag = is_ros_bag(table.path);
+  if (bag && (table.rate || !table.columns.empty() || table.time_unit)) {
+    throw std::invalid_argument(message(table.path.string(), ": a ROS bag, expected no ", table.rate_option, ", ",
+                                        table.columns_option, " and --time-unit"));
   }
-
-  [[noreturn]] void refuse_empty(const TextFile& file) const { file.fail("no samples, expected lines of ", names_); }
-
- private:
-  /// Neither a number nor one that is lost.
-  static bool is_name(std::string_view text) {
-    std::string lower(text.substr(0, 4));
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-    const std::string_view unsigned_text = std::string_view(lower).substr(lower.starts_with('-') ? 1 : 0);
-    return parse_real(text).problem != nullptr && !unsigned_text.empty() && unsigned_text != "nan" &&
-           unsigned_text != "inf";
+  if (table.rate) require_positive(table.rate_option.c_str(), "rate", *table.rate);
+  for (const std::string& name : table.columns) {
+    if (!is_among(of_other_log, name)) continue;
+    throw std::invalid_argument(message(table.columns_option, ": ", name, ", expected the columns of one sensor, ",
+                                        "since --accel-log is of the accelerometer"));
   }
-
-  [[noreturn]] void refuse(const TextFile& file, std::string_view field, const char* problem, std::size_t i) const {
-    file.fail(excerpt(field), ' ', problem, ", expected ", column_names[places_[i]],
-              places_[i] == 0 ? " [" + time_unit_ + "] (--time-unit)" : "", " in column ", i + 1);
+  if (!table.columns.empty()) return;
+  table.usual_time_unit = TimeUnit::nanoseconds;
+  for (const std::string_view name : imu_column_names) {
+    const bool other = is_among(of_other_log, std::string(name));
+    if ((other && !bag) || (name == "t" && table.rate)) continue;
+    table.columns.emplace_back(other ? "-" : name);
   }
+}
 
-  void add_time(const TextFile& file, std::string_view field, std::vector<nanoseconds>& times) const {
-    const Parsed<nanoseconds> time = parse_time(field, time_digits_);
-    if (time.problem) {
-      const auto i = static_cast<std::size_t>(std::find(places_.begin(), places_.end(), 0) - places_.begin());
-      refuse(file, field, time.problem, i);
+/// The log, or that of the gyroscope and that of the accelerometer.
+std::vector<ImuTable> tables_of(const std::filesystem::path& path, const ImuLogOptions& options) {
+  std::vector<ImuTable> tables{table_of(path, options)};
+  if (!options.accel_log) {
+    if (!options.accel_columns.empty() || options.accel_rate || options.accel_topic) {
+      throw std::invalid_argument("--accel-columns, --accel-rate, --accel-topic: expected --accel-log beside them");
     }
-    if (!times.empty() && time.value <= times.back()) {
-      file.fail("time ", field, ' ', time_unit_, " follows ", times.back().count(), " ns, expected increasing times");
-    }
-    times.push_back(time.value);
+    complete(tables[0], {});
+    return tables;
   }
+  tables.push_back(table_of(*options.accel_log, options));
+  tables[1].columns = options.accel_columns;
+  tables[1].rate = options.accel_rate;
+  tables[1].topic = options.accel_topic;
+  tables[1].columns_option = "--accel-columns";
+  tables[1].rate_option = "--accel-rate";
+  complete(tables[0], accel_columns);
+  complete(tables[1], gyro_columns);
+  return tables;
+}
 
-  std::vector<std::size_t> places_;  // of each column in column_names
-  std::string names_;
-  std::string time_unit_;
-  int time_digits_ = 0;
-};
-
-Columns read_columns(const std::filesystem::path& path, const ImuLogOptions& options) {
-  Columns columns;
-  std::optional<Progress> progress;
-  if (is_ros_bag(path)) {
-    if (options.rate || !options.columns.empty() || options.time_unit) {
-      throw std::invalid_argument(message(path.string(), ": a ROS bag, expected no --rate, --columns and --time-unit"));
+/// What to do about stamps that are refused.
+std::string ways_out(const Stream& stream, const allan::SamplingLimits& limits) {
+  const LogSampling& sampling = *stream.sampling;
+  if (sampling.bursts) {
+    std::string text = "; --arrival-times takes this rate";
+    if (is_ros_bag(stream.table.path)) return text;
+    text += message(", and so does a log without times: ", stream.table.columns_option, '=');
+    for (std::size_t i = 0; i < stream.table.columns.size(); ++i) {
+      const std::string& name = stream.table.columns[i];
+      text += (i == 0 ? "" : ",") + (name == "t" ? "-" : name);
     }
-    std::vector<std::string> arguments{"to-csv", path.string(), "-"};
-    if (options.topic) arguments.insert(arguments.end(), {"--topic", *options.topic});
-    PythonScript script(options.python, "imu_bag.py", arguments, PythonScript::Output::piped);
-    TextFile file(script.output());
-    ColumnReader(options).read(file, columns, progress);
-    script.finish();
+    return text + message(' ', stream.table.rate_option, ' ', formatted("%.7g", sampling.rate));
+  }
+  if (sampling.jitter > limits.jitter * sampling.nominal_interval) {
+    return "; --most-jitter accepts more, --arrival-times takes no more than the rate from the times";
+  }
+  return "; --most-missing accepts more, --leave-out A-B joins what is on both sides of a stretch";
+}
+
+Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
+  Stream stream{table, read_imu_columns(table), {}, table.rate.value_or(0), std::nullopt};
+  stream.left_out = leave_out(stream.columns, options, table.rate);
+  if (stream.columns.times.empty()) return stream;
+  try {
+    stream.sampling = allan::measure_sampling(stream.columns.times, stream.left_out.breaks);
+    stream.rate = stream.sampling->rate;
+    require_plausible_times(*stream.sampling,
+                            is_ros_bag(table.path) ? std::nullopt : std::optional(stream.columns.time_unit));
+    allan::require_regular(*stream.sampling, options.limits);
+  } catch (const std::invalid_argument& error) {
+    const std::string way_out = stream.sampling ? ways_out(stream, options.limits) : "";
+    throw std::runtime_error(message(table.path.string(), ": ", error.what(), way_out));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(message(table.path.string(), ": ", error.what()));
+  }
+  return stream;
+}
+
+/// How regularly the samples come.
+std::string sampling_text(const Stream& stream, const allan::SamplingLimits& limits) {
+  if (!stream.sampling) return formatted("%.7g Hz, as given", stream.rate);
+  const LogSampling& sampling = *stream.sampling;
+  std::string text = formatted("%.7g Hz, ", sampling.rate);
+  if (sampling.bursts) {
+    text += formatted("samples over time, since the stamps are arrival times: bursts of %.3g every %.4g ms; ",
+                      sampling.bursts->samples, sampling.bursts->period * 1e3);
   } else {
-    const ColumnReader reader(options);
-    TextFile file(path);
-    std::error_code no_size;
-    const auto size = std::filesystem::file_size(path, no_size);
-    if (!no_size && size > 0) progress.emplace(size);
-    reader.read(file, columns, progress);
-    if (columns.rows == 0) reader.refuse_empty(file);
+    if (limits.arrival_times) text += "samples over time, since the stamps are arrival times; ";
+    text += formatted("jitter %.3g ms (rms), at most %.3g ms; ", sampling.jitter * 1e3, sampling.largest_jitter * 1e3);
   }
-  return columns;
+  if (sampling.gaps == 0) return text + "no samples missing";
+  return text + formatted(
+                    "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, taken "
+                    "as if there were none",
+                    static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps),
+                    sampling.longest.duration, static_cast<long long>(sampling.longest.index));
 }
 
-/// Leaves out the first seconds.
-void skip(Columns& columns, const ImuLogOptions& options) {
-  require_non_negative("--skip", "time", options.skip);
-  if (options.skip == 0) return;
-  std::size_t count = columns.rows;
-  if (options.rate) {
-    count =
-        static_cast<std::size_t>(std::min(std::ceil(options.skip * *options.rate), static_cast<double>(columns.rows)));
-  } else if (options.skip < seconds<double>(columns.times.back() - columns.times.front())) {
-    const nanoseconds begin = after(columns.times.front(), options.skip);
-    count = static_cast<std::size_t>(std::lower_bound(columns.times.begin(), columns.times.end(), begin) -
-                                     columns.times.begin());
+/// Adds what a stream says about how it was read. With two streams, each line begins with the name of its sensor.
+void report(const Stream& stream, const std::string& name, const ImuLogOptions& options, ImuLog& log) {
+  if (!name.empty() && !log.report.empty()) {  // the first is what the report begins with
+    log.report.push_back(message(name, "log: ", stream.table.path.string(),
+                                 stream.columns.topic ? " (" + *stream.columns.topic + ')' : "", ", ",
+                                 stream.columns.rows, " samples, ",
+                                 formatted("%.6g", static_cast<double>(stream.columns.rows) / stream.rate), " s"));
   }
-  if (count >= columns.rows) throw std::invalid_argument(message("--skip: ", options.skip, " s is all of the log"));
-  const auto erase = [count](auto& values) {
-    if (!values.empty()) values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
-  };
-  erase(columns.times);
-  for (auto& values : columns.values) erase(values);
-  columns.rows -= count;
-}
-
-/// The mean of each axis, if all three are there.
-std::optional<Eigen::Vector3d> mean_of(const SensorLog& sensor) {
-  if (sensor.axes.size() != 3) return std::nullopt;
-  Eigen::Vector3d mean;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double sum = 0;
-    for (const double value : sensor.axes[i].values) sum += value;
-    mean[static_cast<Eigen::Index>(i)] = sum / static_cast<double>(sensor.axes[i].values.size());
+  log.report.push_back(name + "sampling: " + sampling_text(stream, options.limits));
+  if (stream.columns.duplicates > 0) {
+    log.report.push_back(message(name, "duplicates: ", stream.columns.duplicates,
+                                 stream.columns.duplicates == 1 ? " row" : " rows",
+                                 " with the stamp of the row before left out"));
   }
-  return mean;
-}
-
-/// As many digits as a person needs.
-std::string short_text(double value) {
-  std::array<char, number_text_size> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
-/// How regularly the samples of a sensor come, as a line.
-std::string sampling_line(const SensorLog& sensor) {
-  std::array<char, 300> text{};
-  if (!sensor.sampling) {
-    std::snprintf(text.data(), text.size(), "sampling: %.7g Hz, as given", sensor.rate);
-    return text.data();
+  if (!stream.left_out.inside.empty()) {
+    std::vector<std::string> spans;
+    for (const LogSpan& span : stream.left_out.inside) {
+      spans.push_back(formatted("%.6g s to %.6g s", span.begin, span.end));
+    }
+    log.report.push_back(message(name, "left out: ", list_of(spans), ", ", stream.left_out.rows_inside,
+                                 " samples; what is on both sides is joined"));
   }
-  const LogSampling& sampling = *sensor.sampling;
-  std::snprintf(text.data(), text.size(), "sampling: %.7g Hz, jitter %.3g ms (rms), at most %.3g ms; ", sampling.rate,
-                sampling.jitter * 1e3, sampling.largest_jitter * 1e3);
-  std::string line = text.data();
-  if (sampling.gaps == 0) return line + "no samples missing";
-  std::snprintf(
-      text.data(), text.size(),
-      "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, taken as if there were none",
-      static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps), sampling.longest.duration,
-      static_cast<long long>(sampling.longest.index));
-  return line + text.data();
-}
-
-/// Refuses a log whose unit can be seen to be another one and has not been given.
-void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
-  log.units += message(log.units.empty() ? "" : ", ", sensor_name(sensor.kind), " in ",
-                       unit_text(SensorUnit{}, sensor.kind), given ? " as converted" : " as assumed");
-  const auto mean = mean_of(sensor);
-  if (!mean) return;
-  log.units += message(" (mean ", short_text(mean->norm()), ")");
-  const auto say = [&](bool refuse, const std::string& text) {
-    if (refuse && !given) throw std::runtime_error(text);
-    log.warnings.push_back(text);
-  };
-  if (sensor.kind == SensorKind::gyro) {
-    if (allan::plausible_gyroscope_mean(*mean)) return;
-    say(true,
-        message("gyroscope: its mean is ", short_text(mean->norm()),
-                " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if so it is)"));
-    return;
-  }
-  using allan::AccelerometerMean;
-  const std::string found =
-      message("accelerometer: its mean is ", short_text(mean->norm()), " m/s^2, expected 9.8 at rest: ");
-  const char* or_si = " (or m/s2, if so it is)";
-  switch (allan::recognize_accelerometer_mean(*mean)) {
-    case AccelerometerMean::gravity:
-      break;
-    case AccelerometerMean::gravity_in_g:
-      say(true, message(found, "it looks like g, give --accel-unit g", or_si));
-      break;
-    case AccelerometerMean::gravity_in_milli_g:
-      say(true, message(found, "it looks like mg, give --accel-unit mg", or_si));
-      break;
-    case AccelerometerMean::no_gravity:
-      say(false, message(found, "gravity has been taken out, perhaps by a filter, which shapes the noise, too"));
-      break;
-    case AccelerometerMean::unclear:
-      say(false, message(found, "it moves, is not calibrated, or is in another unit"));
-      break;
+  if (!stream.columns.unit_note.empty()) {
+    log.units += message(log.units.empty() ? "" : ", ", name, stream.columns.unit_note, " (--time-unit)");
   }
 }
 
-void check_stillness(const SensorLog& sensor, ImuLog& log) {
-  const std::int64_t block = std::max<std::int64_t>(20, std::llround(std::min(sensor.rate, 1e9)));
-  for (const AxisLog& axis : sensor.axes) {
-    const allan::Stillness still = allan::measure_stillness(axis.values, block);
-    if (still.disturbed == 0) continue;
-    log.warnings.push_back(message(sensor_name(sensor.kind), ' ', axis.name, ": not at rest? In ", still.disturbed,
-                                   " of ", still.blocks, " blocks of ", static_cast<double>(block) / sensor.rate,
-                                   " s it varies more than four times as much as in most, the worst ",
-                                   static_cast<double>(still.worst) / sensor.rate, " s after the beginning (",
-                                   short_text(still.worst_ratio), " times)"));
-    return;  // the other axes will say the same
+/// The sensors of a stream, in SI units.
+void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
+  const std::map<std::string, double> units{
+      {"rad/s", 1}, {"deg/s", units::degree}, {"m/s2", 1}, {"g", units::standard_g}, {"mg", units::milli_g}};
+  for (const SensorKind kind : {SensorKind::gyro, SensorKind::accel}) {
+    const auto& unit = kind == SensorKind::gyro ? options.gyro_unit : options.accel_unit;
+    const double factor = unit ? units.at(*unit) : 1;
+    SensorLog sensor{kind, {}, stream.table.path.string(), stream.columns.rows, stream.rate, stream.sampling};
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto& values = stream.columns.values[i + (kind == SensorKind::gyro ? 1 : 4)];
+      if (values.empty()) continue;
+      if (factor != 1) std::for_each(values.begin(), values.end(), [factor](double& value) { value *= factor; });
+      sensor.axes.push_back({"xyz"[i], std::move(values)});
+    }
+    if (sensor.axes.empty()) continue;
+    try {
+      check_unit(sensor, unit.has_value(), log);
+      check_stillness(sensor, log);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(message(sensor.path, ": ", error.what()));
+    }
+    log.sensors.push_back(std::move(sensor));
   }
 }
 
 }  // namespace
 
+double log_time(const ImuLog& log, double seconds) {
+  double time = log.skipped + seconds;
+  for (const LogSpan& span : log.left_out) {
+    if (time >= span.begin) time += span.end - span.begin;
+  }
+  return time;
+}
+
 std::string_view sensor_name(SensorKind kind) { return kind == SensorKind::gyro ? "gyroscope" : "accelerometer"; }
 
 ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options) {
-  if (options.rate) require_positive("--rate", "rate", *options.rate);
-  Columns columns = read_columns(path, options);
-  skip(columns, options);
+  std::vector<Stream> streams;
+  for (const ImuTable& table : tables_of(path, options)) streams.push_back(read_stream(table, options));
   ImuLog log;
   log.path = path.string();
-  log.samples = columns.rows;
-  log.rate = options.rate.value_or(0);
-  try {
-    if (!columns.times.empty()) {
-      log.sampling = allan::measure_sampling(columns.times);
-      allan::require_regular(*log.sampling, options.limits);
-      log.rate = log.sampling->rate;
-    }
-    const std::map<std::string, double> units{
-        {"rad/s", 1}, {"deg/s", units::degree}, {"m/s2", 1}, {"g", units::standard_g}, {"mg", units::milli_g}};
-    for (const SensorKind kind : {SensorKind::gyro, SensorKind::accel}) {
-      const auto& unit = kind == SensorKind::gyro ? options.gyro_unit : options.accel_unit;
-      const double factor = unit ? units.at(*unit) : 1;
-      SensorLog sensor{kind, {}, log.path, log.samples, log.rate, log.sampling};
-      for (std::size_t i = 0; i < 3; ++i) {
-        auto& values = columns.values[i + (kind == SensorKind::gyro ? 1 : 4)];
-        if (values.empty()) continue;
-        if (factor != 1) std::for_each(values.begin(), values.end(), [factor](double& value) { value *= factor; });
-        sensor.axes.push_back({"xyz"[i], std::move(values)});
-      }
-      if (sensor.axes.empty()) continue;
-      check_unit(sensor, unit.has_value(), log);
-      check_stillness(sensor, log);
-      if (log.sensors.empty()) log.report.push_back(sampling_line(sensor));
-      log.sensors.push_back(std::move(sensor));
-    }
-  } catch (const std::exception& error) {
-    throw std::runtime_error(message(log.path, ": ", error.what()));
+  log.topic = streams[0].columns.topic;
+  log.samples = streams[0].columns.rows;
+  log.rate = streams[0].rate;
+  log.sampling = streams[0].sampling;
+  log.skipped = streams[0].left_out.skipped;
+  log.left_out = streams[0].left_out.inside;
+  for (std::size_t i = 0; i < streams.size(); ++i) {
+    const std::string name = streams.size() == 1 ? "" : i == 0 ? "gyroscope " : "accelerometer ";
+    report(streams[i], name, options, log);
   }
+  for (Stream& stream : streams) add_sensors(stream, options, log);
   return log;
 }
 

@@ -16,19 +16,31 @@ struct ImuLogOptions {
   /// What the columns of a table hold: t, gx, gy, gz, ax, ay, az, or - for what is not wanted. Empty: those of EuRoC,
   /// t,gx,gy,gz,ax,ay,az, or without t if there is a rate.
   std::vector<std::string> columns;
-  std::optional<double> rate;                  ///< Hz, if there is no column t
-  std::optional<std::string> time_unit;        ///< s, ms, us or ns; default: ns of EuRoC's columns, s of others
-  std::optional<std::string> gyro_unit;        ///< rad/s or deg/s; default: rad/s if that can be
-  std::optional<std::string> accel_unit;       ///< m/s2, g or mg; default: m/s2 if that can be
-  double skip = 0;                             ///< s at the beginning, for the sensor to warm up
-  splinertia::allan::SamplingLimits limits{};  ///< of stamps
-  std::optional<std::string> topic;            ///< of a ROS bag
-  std::string python;                          ///< that reads a ROS bag
+  std::optional<double> rate;                      ///< Hz, if there is no column t
+  std::optional<std::string> time_unit;            ///< s, ms, us or ns; default: choose_stamp_unit
+  std::optional<std::string> gyro_unit;            ///< rad/s or deg/s; default: rad/s if that can be
+  std::optional<std::string> accel_unit;           ///< m/s2, g or mg; default: m/s2 if that can be
+  double skip = 0;                                 ///< s at the beginning, for the sensor to warm up
+  std::optional<double> until;                     ///< s from the beginning: the end of what is read
+  std::vector<std::string> leave_out;              ///< stretches A-B, s from the beginning
+  bool drop_duplicates = false;                    ///< rows whose stamp equals that of the row before
+  splinertia::allan::SamplingLimits limits{};      ///< of stamps
+  std::optional<std::string> topic;                ///< of a ROS bag
+  std::optional<std::filesystem::path> accel_log;  ///< of the accelerometer; `log` is then of the gyroscope
+  std::vector<std::string> accel_columns;          ///< of that; default: t,ax,ay,az, or without t if it has a rate
+  std::optional<double> accel_rate;                ///< Hz, of that, if there is no column t
+  std::optional<std::string> accel_topic;          ///< of that
+  std::string python;                              ///< that reads a ROS bag
 };
 
 struct AxisLog {
   char name;                   ///< x, y, z
   std::vector<double> values;  ///< SI
+};
+
+/// A stretch of time, s from the beginning of a log.
+struct LogSpan {
+  double begin, end;
 };
 
 using LogSampling = splinertia::allan::Sampling<std::chrono::nanoseconds>;
@@ -49,11 +61,16 @@ struct ImuLog {
   std::size_t samples = 0;              ///< of the first sensor
   double rate = 0;                      ///< Hz, of the first sensor
   std::optional<LogSampling> sampling;  ///< of the first sensor
+  double skipped = 0;                   ///< s, at the beginning
+  std::vector<LogSpan> left_out;        ///< stretches inside the log; what is on both sides is joined
   std::string units;                    ///< that the sensors are taken to be in, as a line
   std::vector<SensorLog> sensors;       ///< gyroscope and accelerometer, without what has no axis
   std::vector<std::string> report;      ///< how the log was read: lines for the report
   std::vector<std::string> warnings;    ///< a line each
 };
+
+/// Seconds since the beginning of a log of a time since the first sample that was kept: with what was left out.
+[[nodiscard]] double log_time(const ImuLog& log, double seconds);
 
 /// gyroscope, accelerometer
 [[nodiscard]] std::string_view sensor_name(splinertia::SensorKind kind);
@@ -61,7 +78,8 @@ struct ImuLog {
 /// Reads a log: a ROS bag (.bag, .mcap, .db3, a folder) or a table with a sample a line, commas or blanks between its
 /// columns, # comments, and perhaps one line of names. Throws std::runtime_error or std::invalid_argument with one line
 /// that says what is wrong, where, and what was expected; ScriptFailed where that has been said. Refused are, besides
-/// what is no such table: times that do not increase or have large gaps, and units that can be seen to be others.
+/// what is no such table: times that do not increase, come in bursts, vary much or lack samples, and units that can be
+/// seen to be others. Sensors of two logs are not joined: each keeps its samples and its rate.
 [[nodiscard]] ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options);
 
 /// The numbers of a file with one a line; - is the standard input. Throws std::runtime_error as above.

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
 #include <splinertia/allan/sampling.hpp>
 #include <stdexcept>
 #include <string>
@@ -107,4 +110,73 @@ TEST_CASE("stamps that are none are refused by place and value") {
   CHECK(refusal(std::vector{-nanoseconds::max(), nanoseconds{0}, nanoseconds{1}}) ==
         "sampling: stamp 2 is 1 and the first -9223372036854775807, expected a difference that their type can hold");
   CHECK(refusal(regular(10), {.missing = -1}) == "SamplingLimits: missing is -1, expected a finite number >= 0");
+}
+
+TEST_CASE("jitter invents no missing samples and leaves the rate") {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (const double jitter : {0.1, 0.2, 0.3}) {
+    for (const std::size_t missing : {0, 3}) {
+      CAPTURE(jitter, missing);
+      std::vector<double> stamps;
+      for (int i = 0; i < 10000; ++i) {
+        if (missing > 0 && i % 3000 == 1500) continue;
+        const double stamp = 1e5 + 0.005 * (i + jitter * normal(random));
+        stamps.push_back(stamps.empty() ? stamp : std::max(stamp, stamps.back() + 1e-9));
+      }
+      const auto sampling = measure_sampling(stamps);
+      CHECK(sampling.missing == static_cast<std::int64_t>(missing));
+      CHECK_THAT(sampling.rate, WithinRel(200.0, 2e-4));
+      CHECK_THAT(sampling.nominal_interval, WithinRel(0.005, 0.02));
+      CHECK_THAT(sampling.jitter / 0.005, WithinRel(std::sqrt(2.0) * jitter, 0.1));
+      CHECK(refusal(stamps, {.missing = 1e-3, .jitter = 0.5}).empty());
+    }
+  }
+}
+
+TEST_CASE("stamps of a coarse clock") {
+  std::vector<double> stamps;
+  for (int i = 0; i < 10000; ++i) stamps.push_back(std::round(i / 0.416) / 1000);  // 416 Hz in whole ms
+  const auto sampling = measure_sampling(stamps);
+  CHECK_THAT(sampling.rate, WithinRel(416.0, 1e-4));
+  CHECK(sampling.missing == 0);
+}
+
+TEST_CASE("a stretch that was left out lacks no samples") {
+  auto stamps = regular(3000);
+  stamps.erase(stamps.begin() + 2000, stamps.begin() + 2500);
+  stamps.erase(stamps.begin() + 1000, stamps.begin() + 1003);
+  const std::vector<std::int64_t> breaks{1000, 1997};
+  const auto sampling = measure_sampling(stamps, breaks);
+  CHECK(sampling.samples == 2497);
+  CHECK(sampling.rate == 200);
+  CHECK(sampling.missing == 0);
+  CHECK(sampling.longest.duration == 0.005);
+  stamps.erase(stamps.begin() + 300);
+  const auto with_gap = measure_sampling(stamps, std::vector<std::int64_t>{999, 1996});
+  CHECK(with_gap.rate == 200);
+  CHECK(with_gap.missing == 1);
+  CHECK(with_gap.longest.index == 299);
+}
+
+TEST_CASE("bursts are arrival times, and accepted as such only") {
+  std::vector<nanoseconds> stamps;
+  for (int i = 0; i < 2000; ++i) stamps.push_back(epoch + i / 4 * 4 * interval + i % 4 * nanoseconds(60000));
+  const auto sampling = measure_sampling(stamps);
+  REQUIRE(sampling.bursts);
+  CHECK_THAT(sampling.rate, WithinRel(200.0, 1e-9));
+  CHECK(sampling.missing == 0);
+  CHECK(refusal(stamps) ==
+        "sampling: the stamps come in bursts of 4 samples 6e-05 s apart, one every 0.02 s: they are arrival times of "
+        "packets and no sample is missing, expected the times of the samples");
+  CHECK(refusal(stamps, {.arrival_times = true}).empty());
+  for (std::size_t i = 1000; i < stamps.size(); ++i) stamps[i] += std::chrono::seconds(1);
+  CHECK(refusal(stamps, {.arrival_times = true}).find("sampling: 200 samples are missing in 1 gap") == 0);
+}
+
+TEST_CASE("arrival times may jitter as they like") {
+  std::vector<double> stamps;
+  for (int i = 0; i < 1000; ++i) stamps.push_back(i + (i % 2 == 0 ? 0.4 : 0));
+  CHECK(refusal(stamps).find("sampling: the intervals vary by ") == 0);
+  CHECK(refusal(stamps, {.arrival_times = true}).empty());
 }

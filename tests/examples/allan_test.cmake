@@ -151,6 +151,19 @@ if(printed MATCHES "accelerometer")
   message(FATAL_ERROR "there is no accelerometer in\n${printed}")
 endif()
 
+# Stretches left out, and logs of one sensor each. What a log may look like is tested in imu_log_test.cpp.
+run(0 "2001 samples, 20 s.*left out: 3 s to 5 s and 7 s to 13 s, 800 samples; what is on both sides is joined"
+  "${euroc}" --skip 1 --until 29.01 --leave-out 3-5 --leave-out 7-13 --output "${out}/options" --no-plot)
+as_table(gyro.csv "\\1,\\2,\\3,\\4")
+as_table(accel.csv "\\1,\\5,\\6,\\7")
+run(0 "gyroscope sampling: 100 Hz.*accelerometer log: ${out}/accel.csv, 3001 samples, 30.01 s\naccelerometer sampling: 100 Hz"
+  "${out}/gyro.csv" --accel-log "${out}/accel.csv" --output "${out}/again" --no-plot)
+expect_same("${out}/again/noise.csv" "${out}/euroc/noise.csv")
+expect_same("${out}/again/curves.csv" "${out}/euroc/curves.csv")
+as_table(accel_untimed.csv "\\5,\\6,\\7")
+run(0 "accelerometer sampling: 50 Hz, as given" "${out}/gyro.csv" --accel-log "${out}/accel_untimed.csv" --accel-columns ax,ay,az --accel-rate 50 --output "${out}/again" --no-plot)
+expect_match("${out}/again/curves.csv" "\ngyroscope,x,1,0.01,.*\naccelerometer,x,1,0.02,")
+
 # Units.
 simulate(g --duration 30 --errors "${out}/errors.yaml" --gravity 1)
 run(0 "accelerometer in m/s.2 as converted .mean 9.7" "${out}/g/imu.csv" --accel-unit g --output "${out}/g" --no-plot)
@@ -166,7 +179,7 @@ function(write_python text)
   file(CHMOD "${out}/python" PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
 endfunction()
 write_python("case $1 in
-  ${programs}/imu_bag.py) [ \"$#:$2:$4:$5:$6\" = '6:to-csv:-:--topic:/imu 0' ] && cat \"$3\";;
+  ${programs}/imu_bag.py) [ \"$#:$2:$4:$5:$6:$7\" = '7:to-csv:-:--name-topic:--topic:/imu 0' ] && cat \"$3\";;
   ${programs}/plot_allan.py) [ $# = 2 ] && cp \"$2/curves.csv\" \"$2/allan.png\";;
 esac")
 run(0 "3001 samples.*wrote allan.png and allan.svg to" "${out}/${name}" --topic "/imu 0" --python "${out}/python" --output "${out}/a folder")
@@ -222,6 +235,10 @@ refuse_file(": sampling: 20 samples are missing in 1 gap, the longest of 0.21 s 
 run(0 "20 samples missing in 1 gaps, the longest of 0.21 s" "${out}/gap.csv" --most-missing 0.01 --output "${out}/again" --no-plot)
 string(REGEX REPLACE "([02468])0000000," "\\17000000," jitter "${body}")
 refuse_file(": sampling: the intervals vary by .* s .rms. about .* s, expected at most 20 % of it" jitter.csv "${jitter}")
+run(0 "sampling: 99.97667 Hz, samples over time, since the stamps are arrival times; jitter" "${out}/jitter.csv" --arrival-times --output "${out}/again" --no-plot)
+string(REGEX REPLACE "\n1000000000," "\n990000000," twice "${body}")
+refuse_file(":101: time 990000000 ns follows 990000000 ns, expected increasing times: --drop-duplicates" twice.csv "${twice}")
+run(0 "3000 samples.*1 samples missing in 1 gaps.*duplicates: 1 row with the stamp of the row before left out" "${out}/twice.csv" --drop-duplicates --output "${out}/again" --no-plot)
 refuse("imu.csv: accelerometer: its mean is [01][.0-9]* m/s.2, expected 9.8 at rest: it looks like g, give --accel-unit g" "${out}/g/imu.csv")
 refuse("imu.csv: gyroscope: its mean is 9.[0-9]* rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s"
   "${euroc}" --columns t,-,-,-,gx,gy,gz --time-unit ns)
@@ -234,6 +251,9 @@ refuse("--columns: gx is there twice" "${euroc}" --columns t,gx,gx)
 refuse("--columns: t,-, expected at least one of gx, gy" "${euroc}" --columns t,-)
 refuse("--columns: gx, expected t among them, or --rate" "${euroc}" --columns gx)
 refuse("--skip: 30 s is all of the log" "${euroc}" --skip 30.00)
+refuse("--leave-out: .5-3., expected A-B" "${euroc}" --leave-out 1-2 --leave-out 5-3)
+refuse("--until: 1 s, expected more than the 2 s of --skip" "${euroc}" --skip 2 --until 1)
+refuse("expected --accel-log beside them" "${euroc}" --accel-rate 50)
 refuse("--skip: time is -1, expected a finite number >= 0" "${euroc}" --skip -1)
 refuse("identify: confidence is 1, expected" "${euroc}" --confidence 1)
 refuse("identify: highest_frequency is -1, expected" "${euroc}" --highest-frequency -1)

@@ -170,7 +170,13 @@ def check_foreign_bags(samples):
                 writer.write(topic, index, bytes(types.serialize_cdr(message(0, stamp, values, "imu"), imu))[:cut])
         return work / name
 
-    refused(["to-csv", bag_of("twice", [5, 7, 7]), work / "no.csv"], "message 3 of /imu has stamp 7 ns after 7, expected")
+    twice = bag_of("twice", [5, 7, 7])
+    refused(["to-csv", twice, work / "no.csv"], "message 3 of /imu has stamp 7 ns after 7, expected increasing header stamps",
+            "--drop-duplicates")
+    rows = "".join(f"{stamp},1.0,2.0,3.0,4.0,5.0,6.0\n" for stamp in (5, 7, 7))
+    expect(ok("to-csv", twice, "-", "--keep-duplicates", "--name-topic") == "#topic /imu\n" + header + rows, twice)
+    refused(["to-csv", bag_of("back", [5, 7, 6]), work / "no.csv", "--keep-duplicates"],
+            "message 3 of /imu has stamp 6 ns after 7, expected increasing header stamps\n")
     refused(["to-csv", bag_of("empty", []), work / "no.csv"], "no messages on /imu")
     refused(["to-csv", bag_of("nan", [5], (1.0, float("nan"), 0.0, 0.0, 0.0, 0.0)), work / "no.csv"], "message 1", "finite")
     refused(["to-csv", bag_of("cut", [5], cut=100), work / "no.csv"], "message 1 of /imu is no sensor_msgs/Imu")

@@ -31,10 +31,10 @@ template <typename Scalar>
 struct Analysis {
   Curve<Scalar> curve;  ///< overlapping Allan deviation
   NoiseEstimates<Scalar> noise;
-  std::vector<DeviationMisfit<Scalar>> misfits;  ///< between the two
-  std::vector<Step> steps;
-  std::vector<SampleSpan> freezes;
-  std::optional<Scalar> resolution;  ///< unit of the signal, if it shows
+  std::vector<DeviationMisfit<Scalar>> misfits{};  ///< between the two
+  std::vector<Step> steps{};
+  std::vector<SampleSpan> freezes{};
+  std::optional<Scalar> resolution{};  ///< unit of the signal, if it shows
   RoundingEffect rounding = RoundingEffect::none;
   bool used_to_the_end = true;  ///< no octaves at the upper end of the spectrum were left out
 

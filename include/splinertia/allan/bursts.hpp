@@ -16,7 +16,7 @@ namespace splinertia::allan {
 struct Bursts {
   double samples;        ///< in a burst, mean
   double spacing;        ///< between the samples of a burst, median, s
-  double period;         ///< from one burst to the next, median, s
+  double period;         ///< from one burst to the next, mean, s
   double rate;           ///< Hz: samples over time, from the beginning of the first whole burst to that of the last
   std::int64_t holes;    ///< pauses longer than three periods; the rate is that without them
   std::int64_t missing;  ///< samples that there would be in the holes
@@ -55,8 +55,8 @@ namespace detail {
 }  // namespace detail
 
 /// Recognises bursts of 2 to about 100 samples in the intervals of stamps (s): nine tenths of them are either shorter
-/// than half their mean or longer than it, and pauses recur at least every 128 samples. Nothing for stamps that merely
-/// jitter, or for fewer than 16 intervals.
+/// than a quarter of their mean or longer than it, and pauses recur at least every 128 samples. Nothing for stamps that
+/// merely jitter, or for fewer than 16 intervals.
 [[nodiscard]] inline std::optional<Bursts> find_bursts(std::span<const double> intervals) {
   constexpr std::size_t longest_burst = 128;
   const std::size_t n = intervals.size();
@@ -64,7 +64,7 @@ namespace detail {
   const double mean = detail::typical_mean(intervals, longest_burst);
   std::vector<double> shorts, pauses;
   for (const double interval : intervals) {
-    if (interval < mean / 2) shorts.push_back(interval);
+    if (interval < mean / 4) shorts.push_back(interval);
     if (interval > mean) pauses.push_back(interval);
   }
   if (10 * (shorts.size() + pauses.size()) < 9 * n || 3 * shorts.size() < n || longest_burst * pauses.size() < n ||
@@ -92,7 +92,7 @@ namespace detail {
   }
   bursts.samples = static_cast<double>(samples) / static_cast<double>(pauses_without_holes);
   bursts.rate = static_cast<double>(samples) / time;
-  bursts.period = pause + (bursts.samples - 1) * spacing;
+  bursts.period = bursts.samples / bursts.rate;
   bursts.missing = std::llround(in_holes * bursts.rate);
   return bursts;
 }

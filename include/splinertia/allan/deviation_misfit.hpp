@@ -46,8 +46,8 @@ struct DeviationMisfit {
 
 /// Where the overlapping Allan deviation of a log is off that of the best description by more than chance explains, as
 /// four standard deviations of a normal number: if the model is true, the ratio of the squares times the degrees of
-/// freedom is chi-square, and its cube root normal (Wilson and Hilferty, PNAS 17 (1931)). Runs of neighbouring points
-/// with the same sign are one. The curve is of the signal whose estimates these are.
+/// freedom is chi-square, and its cube root normal (Wilson and Hilferty, PNAS 17 (1931)). Points with the same sign
+/// that are less than an octave apart are one misfit. The curve is of the signal whose estimates these are.
 template <typename Scalar>
 [[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const Curve<Scalar>& curve,
                                                                      const NoiseEstimates<Scalar>& noise) {
@@ -63,7 +63,7 @@ template <typename Scalar>
     const Scalar ratio = point.deviation / model, spread = 2 / (9 * freedom);
     const Scalar off = (std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread);
     const Scalar sign = off > most_off ? Scalar(1) : off < -most_off ? Scalar(-1) : Scalar(0);
-    if (sign != 0 && sign != last_sign) {
+    if (sign != 0 && (sign != last_sign || point.tau > 2 * misfits.back().longest)) {
       misfits.push_back({point.tau, point.tau, point.tau, ratio});
       worst_off = 0;
     }
@@ -75,7 +75,7 @@ template <typename Scalar>
         misfits.back().ratio = ratio;
       }
     }
-    last_sign = sign;
+    if (sign != 0) last_sign = sign;
   }
   return misfits;
 }

@@ -45,6 +45,10 @@ class GridSearch {
       extend(h, ahead, least + 1, interval);
     }
     std::sort(next_.begin(), next_.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    // The one with the fewest missing stays, because late stamps may catch up: it is the only way back.
+    const auto fewest = std::min_element(next_.begin(), next_.end(),
+                                         [](const auto& a, const auto& b) { return a.missing < b.missing; });
+    if (fewest - next_.begin() >= survivors) next_[survivors - 1] = *fewest;
     if (next_.size() > survivors) next_.resize(survivors);
     hypotheses_.swap(next_);
     // Costs are compared with each other only, and must not grow without end.
@@ -65,7 +69,8 @@ class GridSearch {
   }
 
  private:
-  static constexpr std::size_t survivors = 6, none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::ptrdiff_t survivors = 6;
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   static constexpr double hopeless = 1e4;  // costs above those of the best
   static constexpr double price = 15;      // of a place with missing samples: once in e^15 samples by chance
   static constexpr double earliest = 0.3;  // so far ahead of the grid is the stamp after a missing sample, at least

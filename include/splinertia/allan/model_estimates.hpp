@@ -41,12 +41,38 @@ class ModelEstimates {
       const bool fast = term == NoiseTerm::white || term == NoiseTerm::quantization;
       estimate(term, described_by && !fast ? with(descriptions, best) : descriptions, result);
     }
+    if (result.K.detected) result.least_correlation_time = least_correlation_time();
   }
 
  private:
   using Fit = SpectralFit<Scalar>;
   using Model = typename ModelSelection<Scalar>::Model;
   using Result = typename Fit::Result;
+
+  /// Down from the longest by octaves, then three bisections.
+  [[nodiscard]] Scalar least_correlation_time() const {
+    const Model& best = selection_.best();
+    const auto& likelihood = selection_.likelihood();
+    const NoiseTerms terms = best.terms.without(NoiseTerm::random_walk).with(NoiseTerm::gauss_markov);
+    const Scalar drop = chi_square_quantile(Scalar(95) / 100, Scalar(1));
+    Result start = best.result;
+    start.theta[Fit::place(NoiseTerm::gauss_markov)] = start.theta[Fit::place(NoiseTerm::random_walk)];
+    const auto as_good = [&](Scalar time) {
+      auto times = best.result.times;
+      times.correlation = time;
+      return likelihood.at(terms, times, start).objective <= best.result.objective + drop;
+    };
+    Scalar good = 4 * likelihood.correlation_times().upper, bad = good;
+    while (bad > likelihood.correlation_times().lower && as_good(bad)) {
+      good = bad;
+      bad /= 2;
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Scalar middle = std::sqrt(good * bad);
+      (as_good(middle) ? good : bad) = middle;
+    }
+    return good;
+  }
 
   /// The models of one list and what the other has beside them.
   [[nodiscard]] static std::vector<Model> with(std::vector<Model> models, const std::vector<Model>& more) {

@@ -83,6 +83,9 @@ struct NoiseEstimates {
   /// or its slow noise too weak, to tell what kind it is of.
   std::vector<Description<Scalar>> descriptions;
 
+  /// A Gauss–Markov bias with a longer correlation time than this [s] describes the log as well as the walk that was
+  /// detected, at 95 % confidence: the walk may be bounded. Zero if none was detected.
+  Scalar least_correlation_time{};
   Scalar duration{};           ///< of the log, s
   Scalar highest_frequency{};  ///< up to which the log was used, Hz; rate/2 if the model holds that far
   /// What was left out below that: lines, resonances, what was asked for. From the lowest up, with the power that is

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <ranges>
 #include <span>
@@ -32,7 +34,7 @@ template <TimePoint Time>
 struct Sampling {
   std::int64_t samples;
   double rate;                   ///< Hz, of the sensor: samples that are missing are counted
-  double nominal_interval;       ///< a typical interval, s
+  double nominal_interval;       ///< median of the intervals, of bursts their mean, s
   double jitter;                 ///< of the intervals about the nominal one, without gaps: root mean square, s
   double largest_jitter;         ///< s
   StampInterval<Time> longest;   ///< of all intervals
@@ -60,18 +62,17 @@ struct StampIntervals {
     std::optional<Time> first, last;
     std::int64_t index = 0;
     auto next_break = breaks.begin();
-    double left_out = 0;
+    Time left_out{};
     for (const Time& time : stamps) {
       check(index, time, first, last);
       const bool is_break = next_break != breaks.end() && *next_break == index;
       if (is_break) ++next_break;
       if (last) {
-        const double duration = seconds<double>(time - *last);
         if (is_break) {
-          left_out += duration;
+          left_out += time - *last;
         } else {
-          durations.push_back(duration);
-          if (duration > longest.duration) longest = {index - 1, *last, duration};
+          durations.push_back(seconds<double>(time - *last));
+          if (durations.back() > longest.duration) longest = {index - 1, *last, durations.back()};
         }
       } else {
         first = time;
@@ -82,7 +83,7 @@ struct StampIntervals {
     if (durations.size() < 2) {
       throw std::invalid_argument(message("sampling: ", index, " stamps, expected at least 3"));
     }
-    total = seconds<double>(*last - *first) - left_out;
+    total = seconds<double>(*last - *first - left_out);
   }
 
  private:
@@ -103,19 +104,23 @@ struct StampIntervals {
   }
 };
 
-/// Of the sampling, without what is missing. It is the median of the intervals where nearly all are about a multiple of
-/// it. Otherwise the stamps jitter or are coarse, so that single intervals say little: it is the mean of 8 in a row
-/// over all rows without a missing sample.
-[[nodiscard]] inline double nominal_interval(std::span<const double> intervals) {
+/// The interval of the sampling grid: without what is missing. It is the mean of the intervals near their median where
+/// nearly all are about a multiple of that. Otherwise the stamps jitter or are coarse, so that single intervals say
+/// little: it is the mean of 8 in a row over all rows without a missing sample.
+[[nodiscard]] inline double grid_interval(std::span<const double> intervals, double median) {
   constexpr std::size_t row = 8;
-  std::vector<double> sorted(intervals.begin(), intervals.end());
-  const double median = median_of(sorted);
-  std::size_t near = 0;
+  std::size_t near_multiple = 0, near = 0;
+  double off = 0;
   for (const double interval : intervals) {
     const double count = std::max(1.0, std::round(interval / median));
-    if (std::abs(interval / median - count) <= 0.15) ++near;
+    if (std::abs(interval / median - count) > 0.15) continue;
+    ++near_multiple;
+    if (count > 1) continue;
+    ++near;
+    off += interval - median;
   }
-  if (20 * near >= 19 * intervals.size() || intervals.size() < 8 * row) return median;
+  if (20 * near_multiple >= 19 * intervals.size()) return median + off / static_cast<double>(near);
+  if (intervals.size() < 8 * row) return median;
 
   struct Rows {
     std::size_t count = 0;
@@ -160,8 +165,9 @@ template <std::ranges::forward_range Stamps>
     result.gaps = result.bursts->holes;
     result.missing = result.bursts->missing;
   } else {
-    result.nominal_interval = detail::nominal_interval(durations);
-    places = find_missing_samples(durations, result.nominal_interval);
+    std::vector<double> sorted = durations;
+    result.nominal_interval = detail::median_of(sorted);
+    places = find_missing_samples(durations, detail::grid_interval(durations, result.nominal_interval));
     result.gaps = static_cast<std::int64_t>(places.size());
     for (const MissingSamples& place : places) result.missing += place.count;
     result.rate = static_cast<double>(static_cast<std::int64_t>(durations.size()) + result.missing) / intervals.total;
@@ -206,11 +212,17 @@ void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limit
   require_non_negative("SamplingLimits", "jitter", limits.jitter);
   if (sampling.bursts && !limits.arrival_times) {
     const Bursts& bursts = *sampling.bursts;
-    throw std::invalid_argument(message("sampling: the stamps come in bursts, of ", bursts.samples, " samples ",
-                                        bursts.spacing, " s apart every ", bursts.period,
-                                        " s: they are arrival times of packets, none is missing; expected the times of "
-                                        "the samples, which are ",
-                                        1 / bursts.rate, " s apart (", bursts.rate, " Hz)"));
+    std::array<char, 100> text{};
+    std::snprintf(text.data(), text.size(), "%.3g samples %.3g s apart, one every %.4g s", bursts.samples,
+                  bursts.spacing, bursts.period);
+    throw std::invalid_argument(message("sampling: the stamps come in bursts of ", text.data(),
+                                        ": they are arrival times of packets and no sample is missing, expected the "
+                                        "times of the samples"));
+  }
+  if (sampling.jitter > limits.jitter * sampling.nominal_interval && !limits.arrival_times) {
+    throw std::invalid_argument(message("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
+                                        sampling.nominal_interval, " s, expected at most ", limits.jitter * 100,
+                                        " % of it"));
   }
   if (sampling.missing_share() > limits.missing) {
     throw std::invalid_argument(message("sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
@@ -218,11 +230,6 @@ void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limit
                                         sampling.longest.duration, " s after sample ", sampling.longest.index,
                                         " at time ", printable(sampling.longest.time), ", expected at most ",
                                         limits.missing * 100, " % of ", sampling.samples + sampling.missing));
-  }
-  if (sampling.jitter > limits.jitter * sampling.nominal_interval && !limits.arrival_times) {
-    throw std::invalid_argument(message("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
-                                        sampling.nominal_interval, " s, expected at most ", limits.jitter * 100,
-                                        " % of it"));
   }
 }
 

@@ -57,6 +57,19 @@ struct BlockLimit {
 
 }  // namespace detail
 
+/// Cuts a signal into blocks of `length` samples (about a second, at least 20), each half over the next one, and
+/// compares what is in a block with the others: the standard deviation, and the largest deviation from the block's
+/// mean. Limits follow from how much the blocks differ usually; a quarter of the blocks may be disturbed.
+///
+/// Found in white noise of standard deviation σ, wherever it begins (blocks of 100 samples, 1200 s at 100 Hz, 40 logs
+/// each): one sample that is off by 12 σ or more (10 σ: 85 %, 8 σ: 20 %); 0.1 s of 8 σ (5 σ: 45 %); half a second of 4
+/// σ (3 σ: 50 to 70 %); a step of 5 σ; noise that is twice as strong for a second. With blocks of 1000 samples
+/// likewise: one sample of 12 σ. Not found: weaker ones than these, motion that lasts all the time, drift slower than a
+/// block. What is usual is unknown, and nothing found, if most blocks are constant.
+///
+/// False alarms: none in 40 logs each (1 h at 100 Hz) of white noise, random walks, flicker noise, Gauss–Markov noise,
+/// lines, resonances, rounding to 0.3 to 6 σ, angle quantization, a low-pass, sample-and-hold; nor in a random walk
+/// alone. Throws std::invalid_argument for a length below 20.
 template <Signal S>
 [[nodiscard]] Stillness measure_stillness(const S& signal, std::int64_t length) {
   require(length >= 20, "measure_stillness", "length", length, "at least 20 samples");

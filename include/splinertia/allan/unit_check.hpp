@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <splinertia/require.hpp>
 #include <splinertia/units.hpp>
 
 namespace splinertia::allan {
@@ -31,5 +32,33 @@ enum class AccelerometerMean {
 /// sensors below 20 °/s. A larger one is of a body that turns, or in °/s or °/h. A smaller one proves nothing: most
 /// logs in °/s have it, too.
 [[nodiscard]] inline bool plausible_gyroscope_mean(const Eigen::Vector3d& mean) { return mean.norm() < 1; }
+
+/// What a white noise N says of the unit it is in.
+enum class WhiteNoiseCheck {
+  plausible,
+  too_small,  ///< below the best sensors there are: in a larger unit (g), simulated, or filtered
+  too_large   ///< above the worst: in a smaller unit (°/s, °/h, mg), in counts, or not at rest
+};
+
+/// Whether a gyroscope can have this N in rad/s/√Hz: 5e-8 to 3e-2 (1.7e-4 to 103 °/√h). Fibre-optic and hemispherical
+/// resonator gyroscopes of navigation grade reach 3e-4 °/√h. The noisiest in a data sheet is Analog Devices' ADXRS649
+/// for 20000 °/s with 0.25 °/s/√Hz = 4.4e-3 rad/s/√Hz. Those of phones have 5e-5 to 3e-4 rad/s/√Hz, so that in °/s, 57
+/// times as much, the noisy ones are found and the quiet ones are not. Throws std::invalid_argument unless N is finite
+/// and >= 0.
+[[nodiscard]] inline WhiteNoiseCheck check_gyroscope_white_noise(double N) {
+  require_non_negative("check_gyroscope_white_noise", "N", N);
+  if (N < 5e-8) return WhiteNoiseCheck::too_small;
+  return N > 3e-2 ? WhiteNoiseCheck::too_large : WhiteNoiseCheck::plausible;
+}
+
+/// Whether an accelerometer can have this N in m/s²/√Hz: 1e-7 to 0.2 (0.01 µg/√Hz to 20 mg/√Hz). Those of seismometers
+/// reach 0.02 µg/√Hz. The noisiest in data sheets are made for shocks: 5 mg/√Hz (Analog Devices' ADXL375, 200 g), 15
+/// mg/√Hz (ST's H3LIS331DL, 400 g). Those of phones have 1e-3 to 4e-3 m/s²/√Hz. A unit that is g or mg shows in the
+/// mean, see recognize_accelerometer_mean(). Throws std::invalid_argument unless N is finite and >= 0.
+[[nodiscard]] inline WhiteNoiseCheck check_accelerometer_white_noise(double N) {
+  require_non_negative("check_accelerometer_white_noise", "N", N);
+  if (N < 1e-7) return WhiteNoiseCheck::too_small;
+  return N > 0.2 ? WhiteNoiseCheck::too_large : WhiteNoiseCheck::plausible;
+}
 
 }  // namespace splinertia::allan

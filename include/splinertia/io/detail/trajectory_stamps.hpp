@@ -3,85 +3,22 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
-#include <optional>
 #include <span>
-#include <splinertia/io/number_text.hpp>
-#include <splinertia/io/seconds_text.hpp>
+#include <splinertia/io/stamp_unit.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace splinertia::detail {
 
-inline constexpr double highest_pose_rate = 20e3, lowest_pose_rate = 0.01;  // Hz; beyond them the unit is doubted
-
-inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::milliseconds, TimeUnit::microseconds,
-                                           TimeUnit::nanoseconds};
-
-[[nodiscard]] inline double seconds_of(TimeUnit unit) { return std::pow(10.0, -static_cast<int>(unit)); }
+inline constexpr RateRange pose_rates{0.01, 20e3};
 
 /// Whether stamps with this typical step, in their unit, are those of poses. Unknown (0) is.
-[[nodiscard]] inline bool is_plausible(double step, TimeUnit unit) {
-  const double interval = step * seconds_of(unit);
-  return step == 0 || (interval >= 1 / highest_pose_rate && interval <= 1 / lowest_pose_rate);
-}
-
-/// "0.005 s, 200 Hz as …": what rate the stamps would have in each unit.
-[[nodiscard]] inline std::string rates_text(double step) {
-  std::string text;
-  for (const TimeUnit unit : all_time_units) {
-    char rate[number_text_size];
-    std::snprintf(rate, sizeof rate, "%.4g", 1 / (step * seconds_of(unit)));
-    text += message(text.empty() ? "" : ", ", rate, " Hz in ", time_unit_name(unit));
-  }
-  return text;
-}
-
-/// What the first stamps of a file look like.
-struct StampSample {
-  double step = 0;        // the median of the positive steps, in their unit; 0 if there is none
-  double middle = 0;      // the median stamp
-  bool decimals = false;  // some have them
-
-  explicit StampSample(std::span<const std::string_view> texts) {
-    std::vector<double> values, steps;
-    for (const std::string_view text : texts) {
-      const Parsed<double> value = parse_real(text);
-      if (value.problem) continue;
-      decimals = decimals || (value.value != std::floor(value.value) || text.find('.') < text.find_first_of("eE"));
-      if (!values.empty() && value.value > values.back()) steps.push_back(value.value - values.back());
-      values.push_back(value.value);
-    }
-    step = median(steps);
-    middle = median(values);
-  }
-
-  /// The unit in which the stamps count from 1970: they have 10, 13, 16 or 19 digits.
-  [[nodiscard]] std::optional<TimeUnit> since_1970() const {
-    for (const TimeUnit unit : all_time_units) {
-      const double count = middle * seconds_of(unit);
-      if (count >= 1e9 && count < 1e10) return unit;
-    }
-    return std::nullopt;
-  }
-
- private:
-  [[nodiscard]] static double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  }
-};
+[[nodiscard]] inline bool is_plausible(double step, TimeUnit unit) { return is_plausible(step, unit, pose_rates); }
 
 /// A time in a unit, with the decimals that it has.
 [[nodiscard]] inline std::string stamp_text(std::chrono::nanoseconds time, TimeUnit unit) {

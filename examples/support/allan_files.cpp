@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include "support/allan_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <deque>
+#include <limits>
+#include <splinertia/io/atomic_file.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "support/formatted.hpp"
+#include "support/noise_text.hpp"
+#include "support/yaml_text.hpp"
+
+using namespace splinertia;
+using allan::Adequacy;
+using allan::NoiseTerm;
+using Estimate = allan::Estimate<double>;
+
+namespace {
+
+void write_reals(AtomicFile& file, std::initializer_list<double> values) {
+  for (const double value : values) {
+    file.append(',');
+    std::isnan(value) ? file.append("nan") : file.append_real(value);
+  }
+}
+
+void write_curves(AtomicFile& file, const LogNoise& noise) {
+  file.append("#sensor,axis,m,tau [s],terms,deviation,lower,upper,alpha,fitted\n");
+  for (const SensorNoise& sensor : noise.sensors) {
+    for (const AxisNoise& axis : sensor.axes) {
+      for (const auto& point : axis.analysis.curve.points) {
+        file.append(message(sensor_name(sensor.kind), ',', axis.name, ',', point.factor, ','));
+        file.append_real(point.tau);
+        file.append(',');
+        file.append_integer(point.terms);
+        write_reals(file, {point.deviation, point.interval.lower, point.interval.upper});
+        file.append(',');
+        file.append_integer(point.alpha);
+        write_reals(file, {axis.noise().deviation(point.tau)});
+        file.append('\n');
+      }
+    }
+  }
+}
+
+void write_noise(AtomicFile& file, const LogNoise& noise) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  file.append(
+      "#sensor,axis,term,detected,estimate,lower,upper,standard_error,unit,time,time_lower,time_upper,status,"
+      "adequacy\n");
+  for (const SensorNoise& sensor : noise.sensors) {
+    for (const auto& row : sensor.rows()) {
+      for (const NoiseTerm term : allan::noise_terms) {
+        if (!noise.options.candidates.has(term)) continue;
+        const Estimate& estimate = (*row.noise)[term];
+        const bool timed = term == NoiseTerm::gauss_markov || term == NoiseTerm::warm_up;
+        if (timed && !estimate.detected && !estimate.possible) continue;
+        file.append(
+            message(sensor_name(sensor.kind), ',', row.name, ',', symbol(term), ',', estimate.detected ? 1 : 0));
+        const bool holds = row.adequacy != Adequacy::inadequate;
+        write_reals(file, {estimate.value, holds ? estimate.interval.lower : nan, holds ? estimate.interval.upper : nan,
+                           holds ? estimate.standard_error() : nan});
+        file.append(message(',', unit_of(term, sensor.kind)));
+        if (timed) {
+          const auto& with_time = term == NoiseTerm::warm_up ? row.noise->W : row.noise->G;
+          write_reals(file, {with_time.time, holds ? with_time.time_interval.lower : nan,
+                             holds ? with_time.time_interval.upper : nan});
+        } else {
+          file.append(",,,");
+        }
+        file.append(message(',',
+                            estimate.detected   ? "detected"
+                            : estimate.possible ? "possible"
+                                                : "absent",
+                            ',', name(row.adequacy), '\n'));
+      }
+    }
+  }
+}
+
+void write_spectrum(AtomicFile& file, const LogNoise& noise) {
+  file.append("#sensor,axis,frequency [Hz],density,fitted,count,used\n");
+  for (const SensorNoise& sensor : noise.sensors) {
+    for (const AxisNoise& axis : sensor.axes) {
+      for (const auto& point : axis.noise().spectrum) {
+        file.append(message(sensor_name(sensor.kind), ',', axis.name));
+        write_reals(file, {point.frequency, point.density, point.expected, point.count});
+        file.append(point.used ? ",1\n" : ",0\n");
+      }
+    }
+  }
+}
+
+/// A field of a csv file: in quotation marks, and on one line, whatever is in it.
+std::string quoted(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : escaped_line(text)) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
+
+void write_findings(AtomicFile& file, const LogNoise& noise) {
+  file.append("#sensor,axis,kind,from,to,unit,text\n");
+  for (const SensorNoise& sensor : noise.sensors) {
+    const std::string name(sensor_name(sensor.kind));
+    file.append(message(name, ",all,log,0"));
+    write_reals(file, {sensor.duration});
+    file.append(",s," +
+                quoted(formatted("%s, %.6g Hz, %s", std::filesystem::path(noise.log).filename().c_str(), sensor.rate,
+                                 duration_text(sensor.duration).c_str())) +
+                '\n');
+    for (const AxisNoise& axis : sensor.axes) {
+      for (const Finding& finding : axis.findings) {
+        file.append(message(name, ',', axis.name, ',', finding.kind));
+        write_reals(file, {finding.from, finding.to});
+        file.append(',' + finding.unit + ',' + quoted(finding.text) + '\n');
+      }
+    }
+  }
+}
+
+/// What an estimator is told of a term, and why it is this.
+struct Choice {
+  double value = 0;
+  std::string comment;
+};
+
+Choice choose(const SensorNoise& sensor, NoiseTerm term, double confidence) {
+  // The best that is known of any axis, and of these the largest.
+  const auto rank = [term](const SensorNoise::Row& row) {
+    const Estimate& estimate = (*row.noise)[term];
+    return estimate.detected ? 2 : estimate.possible && !row.disturbed ? 1 : 0;
+  };
+  const auto value = [&](const SensorNoise::Row& row) {
+    const Estimate& estimate = (*row.noise)[term];
+    return rank(row) > 0 ? estimate.value : estimate.interval.upper;
+  };
+  const auto rows = sensor.rows();
+  const auto worst = sensor.pooled ? std::prev(rows.end())
+                                   : std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
+                                       return std::pair(rank(a), value(a)) < std::pair(rank(b), value(b));
+                                     });
+  Choice choice{value(*worst), ""};
+  if (sensor.pooled) {
+    choice.comment = "of all axes, which agree";
+  } else if (rows.size() > 1) {
+    choice.comment = message("of axis ", worst->name, ", the largest: the axes differ or are not all described");
+  } else {
+    choice.comment = message("of axis ", worst->name, ", the only one");
+  }
+  if (rank(*worst) == 0) {
+    choice.comment += message("; not detected, this is the upper limit with ", confidence * 100, " % confidence");
+  } else if (rank(*worst) == 1) {
+    choice.comment += "; it may be something else (see below), this is what it is if it is there";
+  }
+  if (worst->adequacy == Adequacy::inadequate)
+    choice.comment += "; the log is not described, this is no more than a hint";
+  return choice;
+}
+
+}  // namespace
+
+std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
+  EstimatorNoise result;
+  result.comments.push_back(message("Noise of ", noise.log, ", at rest for ", noise.duration, " s."));
+  result.imu.update_rate = noise.rate;
+  if (noise.topic) result.imu.topic = *noise.topic;
+  int found = 0;
+  std::vector<std::string> below;
+  for (const SensorNoise& sensor : noise.sensors) {
+    const std::string sensor_text(sensor_name(sensor.kind));
+    const bool gyro = sensor.kind == SensorKind::gyro;
+    const auto take = [&](NoiseTerm term, const char* key, double& density) {
+      if (!noise.options.candidates.has(term)) return;
+      const Choice choice = choose(sensor, term, noise.options.confidence);
+      density = choice.value;
+      if (density > 0) ++found;
+      result.comments.push_back(message(sensor_text, '_', key, ": ", choice.comment));
+    };
+    take(NoiseTerm::white, "noise_density", gyro ? result.imu.gyro_noise_density : result.imu.accel_noise_density);
+    take(NoiseTerm::random_walk, "random_walk", gyro ? result.imu.gyro_random_walk : result.imu.accel_random_walk);
+    for (const AxisNoise& axis : sensor.axes) {
+      for (const Finding& finding : axis.findings) {
+        if (finding.warning || finding.kind == "descriptions") {
+          below.push_back(message(finding.warning ? "WARNING " : "", sensor_text, ' ', axis.name, ": ", finding.text));
+        }
+      }
+    }
+  }
+  if (found < 4) return std::nullopt;
+  result.comments.insert(result.comments.end(), below.begin(), below.end());
+  return result;
+}
+
+void write_files(const LogNoise& noise, const std::filesystem::path& folder,
+                 const std::vector<Estimator>& for_estimators) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error(message(folder.string(), ": cannot create this folder: ", error.message()));
+  std::deque<AtomicFile> files;  // which cannot be moved
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view file) -> AtomicFile& {
+    names.emplace_back(file);
+    return files.emplace_back(folder / names.back());
+  };
+  write_curves(add("curves.csv"), noise);
+  write_noise(add("noise.csv"), noise);
+  write_spectrum(add("spectrum.csv"), noise);
+  write_findings(add("findings.csv"), noise);
+  const auto found = estimator_noise(noise);
+  if (found) {
+    for (const Estimator estimator : for_estimators) {
+      add(file_name(estimator)).append(imu_noise_text(estimator, found->imu, found->comments));
+    }
+  }
+  for (AtomicFile& file : files) file.commit();
+  std::printf("wrote %s to %s\n", list_of(names).c_str(), folder.string().c_str());
+  if (!found) std::puts("no files for estimators: they want N and K of both sensors");
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "support/allan_findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <splinertia/allan/unit_check.hpp>
+#include <splinertia/imu/error_term.hpp>
+
+#include "support/formatted.hpp"
+#include "support/noise_text.hpp"
+
+using namespace splinertia;
+using allan::NoiseTerm;
+
+namespace {
+
+class Findings {
+ public:
+  Findings(const allan::Analysis<double>& analysis, SensorKind kind, const std::function<double(double)>& log_time)
+      : analysis_(analysis), noise_(analysis.noise), kind_(kind), log_time_(log_time), rate_(analysis.curve.rate) {
+    steps();
+    freezes();
+    bands();
+    misfits();
+    fit();
+    resolution();
+    white_noise();
+    descriptions();
+  }
+
+  [[nodiscard]] std::vector<Finding> all() && { return std::move(all_); }
+
+ private:
+  /// Seconds since the beginning of the log.
+  [[nodiscard]] double time(std::int64_t sample) const { return log_time_(static_cast<double>(sample) / rate_); }
+
+  void steps() {
+    constexpr std::size_t most = 5;
+    for (const allan::Step& step : analysis_.steps) {
+      const double begin = time(step.sample), end = time(step.sample + step.duration);
+      std::string text =
+          formatted("a step of %.3g %s near %.0f s", step.height, unit_text(SensorUnit{}, kind_).c_str(), begin);
+      if (step.duration > 0) text += formatted(" (it takes %.3g s)", end - begin);
+      const bool late = static_cast<double>(step.sample) > noise_.duration * rate_ / 2;
+      text += late ? formatted(": leave it out with --until %.0f", std::floor(begin - 1))
+                   : formatted(": leave it out with --skip %.0f", std::ceil(end + 1));
+      if (all_.size() == most && analysis_.steps.size() > most) {
+        text = formatted("and %zu more steps", analysis_.steps.size() - most);
+      }
+      all_.push_back({"step", begin, end, "s", text, true});
+      if (all_.size() > most) break;
+    }
+    if (!analysis_.steps.empty()) {
+      all_.push_back({"step", 0, 0, "s", "a step looks like a walk: no slow term is reported as detected", true});
+    }
+  }
+
+  void freezes() {
+    for (const allan::SampleSpan& span : analysis_.freezes) {
+      const double begin = time(span.begin), end = time(span.end);
+      all_.push_back({"freeze", begin, end, "s",
+                      formatted("%.3g s without any change from %.0f s on: leave them out with --leave-out %.0f-%.0f",
+                                end - begin, begin, std::floor(begin), std::ceil(end)),
+                      true});
+    }
+  }
+
+  void bands() {
+    for (const auto& band : noise_.excluded) {
+      all_.push_back({"excluded", band.frequencies.lower, band.frequencies.upper, "Hz",
+                      formatted("%.3g to %.3g Hz is left out: the power there is %.3g times that of these terms%s",
+                                band.frequencies.lower, band.frequencies.upper, band.ratio,
+                                band.ratio > 1 ? " (a line, vibration, hum)" : ""),
+                      true});
+    }
+    if (!analysis_.used_to_the_end) {
+      all_.push_back(
+          {"unused", noise_.highest_frequency, rate_ / 2, "Hz",
+           formatted("above %.4g Hz it is left out: not white (a low-pass filter, vibration, hum); N is that "
+                     "of averages longer than %.2g s, Q cannot be known",
+                     noise_.highest_frequency, 1 / (2 * noise_.highest_frequency)),
+           true});
+    }
+  }
+
+  void misfits() {
+    for (const auto& misfit : analysis_.misfits) {
+      all_.push_back({"misfit", misfit.shortest, misfit.longest, "s",
+                      formatted("at averaging times of %.3g to %.3g s the deviation is up to %.3g times that of these "
+                                "terms",
+                                misfit.shortest, misfit.longest, misfit.ratio),
+                      true});
+    }
+  }
+
+  void fit() {
+    if (noise_.fits) return;
+    std::string where;
+    const auto doubt = [](const auto& band) { return std::abs(band.ratio - 1) / band.standard_error; };
+    const auto worst = std::max_element(noise_.bands.begin(), noise_.bands.end(),
+                                        [&](const auto& a, const auto& b) { return doubt(a) < doubt(b); });
+    if (worst != noise_.bands.end()) {
+      where = formatted(": from %.3g to %.3g Hz it has %.3g times the power they give", worst->frequencies.lower,
+                        worst->frequencies.upper, worst->ratio);
+    }
+    all_.push_back({"fit", 0, 0, "",
+                    formatted("THESE TERMS DO NOT DESCRIBE IT (by chance in %.1g of logs)%s; intervals do not hold",
+                              noise_.fit_probability, where.c_str()),
+                    true});
+  }
+
+  void resolution() {
+    if (!analysis_.resolution || analysis_.rounding == allan::RoundingEffect::none) return;
+    const std::string unit = unit_text(SensorUnit{}, kind_);
+    const double resolution = *analysis_.resolution, deviation = noise_.N.value * std::sqrt(rate_);
+    std::string text = formatted("its resolution of %.3g %s is coarse: %.2g times the deviation of a sample",
+                                 resolution, unit.c_str(), resolution / deviation);
+    const bool invalid = analysis_.rounding == allan::RoundingEffect::invalid;
+    text += invalid ? "; N says nothing of the sensor, which rounds most of it away or adds to it"
+                    : formatted("; without rounding N is about %.4g",
+                                allan::white_noise_before_rounding(noise_.N.value, resolution, rate_));
+    all_.push_back({"resolution", 0, 0, "", text, invalid});
+  }
+
+  void white_noise() {
+    const bool gyro = kind_ == SensorKind::gyro;
+    const auto check = gyro ? allan::check_gyroscope_white_noise(noise_.N.value)
+                            : allan::check_accelerometer_white_noise(noise_.N.value);
+    if (!noise_.N.detected || check == allan::WhiteNoiseCheck::plausible) return;
+    const bool large = check == allan::WhiteNoiseCheck::too_large;
+    all_.push_back({"white_noise", 0, 0, "",
+                    formatted("no %s has a white noise of %.3g %s: %s", gyro ? "gyroscope" : "accelerometer",
+                              noise_.N.value, unit_of(NoiseTerm::white, kind_).c_str(),
+                              large ? (gyro ? "it is in deg/s (--gyro-unit deg/s), or not at rest"
+                                            : "it is in another unit (--accel-unit), or not at rest")
+                                    : (gyro ? "it is simulated, filtered, or in another unit (--gyro-unit)"
+                                            : "it is simulated, filtered, or in g (--accel-unit g)")),
+                    true});
+  }
+
+  void descriptions() {
+    if (noise_.G.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
+      all_.push_back({"descriptions", 0, 0, "",
+                      "the Gauss-Markov bias may be no more than the foot of a band that is left out", false});
+    }
+    if (noise_.W.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
+      all_.push_back(
+          {"descriptions", 0, 0, "", "the warm-up may be no more than the ends of a line that is left out", false});
+    }
+    if (noise_.descriptions.size() < 2) return;
+    std::vector<std::string> texts;
+    for (const auto& description : noise_.descriptions) {
+      std::string text = slow_terms_text(description, kind_);
+      if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(std::move(text));
+    }
+    if (texts.size() < 2) return;
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : "; or ") + text;
+    all_.push_back({"descriptions", 0, 0, "", "cannot be told apart in this log: " + list, false});
+  }
+
+  const allan::Analysis<double>& analysis_;
+  const allan::NoiseEstimates<double>& noise_;
+  SensorKind kind_;
+  const std::function<double(double)>& log_time_;
+  double rate_;
+  std::vector<Finding> all_;
+};
+
+}  // namespace
+
+std::vector<Finding> findings_of(const allan::Analysis<double>& analysis, SensorKind kind,
+                                 const std::function<double(double)>& log_time) {
+  return Findings(analysis, kind, log_time).all();
+}

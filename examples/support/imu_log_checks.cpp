@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "support/imu_log_checks.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <splinertia/allan/stillness.hpp>
+#include <splinertia/allan/unit_check.hpp>
+#include <splinertia/imu/error_term.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+
+#include "support/formatted.hpp"
+
+using namespace splinertia;
+
+namespace {
+
+/// The mean of each axis, if all three are there.
+std::optional<Eigen::Vector3d> mean_of(const SensorLog& sensor) {
+  if (sensor.axes.size() != 3) return std::nullopt;
+  Eigen::Vector3d mean;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (const double value : sensor.axes[i].values) sum += value;
+    mean[static_cast<Eigen::Index>(i)] = sum / static_cast<double>(sensor.axes[i].values.size());
+  }
+  return mean;
+}
+
+/// As many digits as a person needs.
+std::string short_text(double value) { return formatted("%.4g", value); }
+
+}  // namespace
+
+void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
+  log.units += message(log.units.empty() ? "" : ", ", sensor_name(sensor.kind), " in ",
+                       unit_text(SensorUnit{}, sensor.kind), given ? " as converted" : " as assumed");
+  const auto mean = mean_of(sensor);
+  if (!mean) return;
+  log.units += message(" (mean ", short_text(mean->norm()), ")");
+  const auto say = [&](bool refuse, const std::string& text) {
+    if (refuse && !given) throw std::runtime_error(text);
+    log.warnings.push_back(text);
+  };
+  if (sensor.kind == SensorKind::gyro) {
+    if (allan::plausible_gyroscope_mean(*mean)) return;
+    say(true,
+        message("gyroscope: its mean is ", short_text(mean->norm()),
+                " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if so it is)"));
+    return;
+  }
+  using allan::AccelerometerMean;
+  const std::string found =
+      message("accelerometer: its mean is ", short_text(mean->norm()), " m/s^2, expected 9.8 at rest: ");
+  const char* or_si = " (or m/s2, if so it is)";
+  switch (allan::recognize_accelerometer_mean(*mean)) {
+    case AccelerometerMean::gravity:
+      break;
+    case AccelerometerMean::gravity_in_g:
+      say(true, message(found, "it looks like g, give --accel-unit g", or_si));
+      break;
+    case AccelerometerMean::gravity_in_milli_g:
+      say(true, message(found, "it looks like mg, give --accel-unit mg", or_si));
+      break;
+    case AccelerometerMean::no_gravity:
+      say(false, message(found, "gravity has been taken out, perhaps by a filter, which shapes the noise, too"));
+      break;
+    case AccelerometerMean::unclear:
+      say(false, message(found, "it moves, is not calibrated, or is in another unit"));
+      break;
+  }
+}
+
+void check_stillness(const SensorLog& sensor, ImuLog& log) {
+  const std::int64_t block = std::max<std::int64_t>(20, std::llround(std::min(sensor.rate, 1e9)));
+  for (const AxisLog& axis : sensor.axes) {
+    const allan::Stillness still = allan::measure_stillness(axis.values, block);
+    if (still.disturbed == 0) continue;
+    log.warnings.push_back(message(sensor_name(sensor.kind), ' ', axis.name, ": not at rest? In ", still.disturbed,
+                                   " of ", still.blocks, " blocks of ", static_cast<double>(block) / sensor.rate,
+                                   " s it varies more than four times as much as in most, the worst ",
+                                   static_cast<double>(still.worst) / sensor.rate, " s after the beginning (",
+                                   short_text(still.worst_ratio), " times)"));
+    return;  // the other axes will say the same
+  }
+}
