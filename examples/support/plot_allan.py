@@ -172,9 +172,10 @@ def findings_text(kind, found):
     if kind == "unused":
         return unbroken(f"left out above {found[0].start:.4g} Hz")
     one, many, unit = WORDS[kind]
+    digits = 4 if unit == "Hz" else 6
     if len(found) > 2:
-        return f"{len(found)} {many}, the first at {found[0].start:.4g} {unit}"
-    spans = [f"{finding.start:.6g}" + (f" … {finding.end:.6g}" if finding.end > finding.start else "")
+        return f"{len(found)} {many}, the first at {found[0].start:.{digits}g} {unit}"
+    spans = [f"{finding.start:.{digits}g}" + (f" … {finding.end:.{digits}g}" if finding.end > finding.start else "")
              for finding in found]
     return unbroken(f"{one} {' and '.join(spans)} {unit}")
 

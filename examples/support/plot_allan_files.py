@@ -20,7 +20,7 @@ SPANS = ["excluded", "unused", "misfit", "step", "freeze", "disturbance"]  # kin
 
 @dataclasses.dataclass
 class Term:
-    """A noise term of an axis: a detected one has a value, a possible one may have, and a limit may be nan."""
+    """A noise term of an axis: a detected one has a value, the others a limit, which may be nan."""
     name: str
     status: str
     value: float
@@ -175,5 +175,6 @@ def read_findings(path):
             start, end = number(row, "from"), number_or_nan(row, "to")
             if end < start or not math.isfinite(start):
                 raise Failure(f"{row['place']}: from {row['from']} to {row['to']}, expected a span")
-            sensors.setdefault(row["sensor"], []).append(Finding(row["axis"], row["kind"], start, end))
+            if start > 0 or end > 0:  # else it is a remark about all of the log
+                sensors.setdefault(row["sensor"], []).append(Finding(row["axis"], row["kind"], start, end))
     return title, sensors

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Noise terms in the plot of the Allan deviation: as lines with labels if the axes share them, else as a table."""
+import dataclasses
 import math
 
 from plot_allan_files import STATUSES, TERMS
@@ -58,12 +59,13 @@ def familiar_unit(sensor, term):
 
 
 def value_text(term, unit=""):
-    """The value with its time, or what else is known of a term that may be there."""
-    if not term.value > 0:
-        return f"< {figures(term.limit, 2)}{unit}" if math.isfinite(term.limit) else f"–{unit}"
-    if math.isfinite(term.time):
-        return f"{figures(term.value, 2)}{unit}, {figures(term.time, 2)} s"
-    return f"{figures(term.value, 3 if term.status == 'detected' else 2)}{unit}"
+    """The value of a detected term, or the limit of another one; and its time."""
+    detected = term.status == "detected"
+    number = term.value if detected else term.limit
+    if not math.isfinite(number):
+        return ""
+    time = f", {figures(term.time, 2)} s" if math.isfinite(term.time) else ""
+    return f"{'' if detected else '< '}{figures(number, 3 if detected and not time else 2)}{unit}{time}"
 
 
 def estimate_text(sensor, term):
@@ -79,19 +81,16 @@ def unbroken(text):
 
 def shared_notes(terms):
     """Lines about shared terms that have no line in the plot."""
-    def listed(status, title, text, end=""):
+    def listed(status, title, text):
         texts = [unbroken(text(term)) for term in terms.values() if term.status == status]
-        return [f"{title}: {', '.join(found)}{end}"] if (found := list(filter(None, texts))) else []
+        return [f"{title}: {', '.join(found)}"] if (found := list(filter(None, texts))) else []
 
     def whole(term):
-        return f"{term.name} {value_text(term, f' {term.unit}'.rstrip())}"
-
-    def limit(term):
-        return f"{term.name} < {figures(term.limit, 2)} {term.unit}".rstrip() if math.isfinite(term.limit) else ""
+        return f"{term.name} {value_text(term, f' {term.unit}'.rstrip())}".rstrip()
 
     return (listed("detected", "warm-up", lambda term: whole(term) if term.name == "W" else "") +
-            listed("possible", "possible", whole, " (other descriptions do without)") +
-            listed("absent", "not detected", limit))
+            listed("possible", "possible", whole) +
+            listed("absent", "not detected", lambda term: whole(term) if math.isfinite(term.limit) else ""))
 
 
 def gauss_markov_deviation(term, tau):
@@ -200,7 +199,8 @@ def table_columns(sensor, axes):
             columns.append((name, found[0].unit + (", s" if timed else ""), 1.6 if timed else 1, value_text))
             factor, unit = familiar_unit(sensor, found[0])
             if unit:
-                columns.append(("", unit, 0.9, lambda term, factor=factor: figures(term.value * factor, 3)))
+                columns.append(("", unit, 0.9, lambda term, factor=factor: value_text(
+                    dataclasses.replace(term, value=factor * term.value, limit=factor * term.limit))))
     if sum(column[2] for column in columns) > WIDEST_TABLE:
         columns = [column for column in columns if column[0]]
     all_columns = len(columns)
@@ -234,5 +234,5 @@ def draw_table(plot, sensor, axes, colours, labels):
         for row, terms in enumerate(axes.values(), 2):
             term = terms.get(name)
             known = term and term.status != "absent"
-            write(place, row, text(term) + " ?" * (term.status == "possible") if known else "–", ha="right",
+            write(place, row, f"{text(term)}{' ?' if term.status == 'possible' else ''}" if known else "–", ha="right",
                   color="0.55" if known and term.adequacy == "inadequate" else "black")

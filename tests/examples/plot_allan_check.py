@@ -59,7 +59,8 @@ def write(name, axes, terms, findings=(), adequacy=None):
     for axis, term, value, status, time in terms:
         noise.append(f"gyroscope,{axis},{term},{status == 'detected':d},{value},{value},{2 * value},{value},"
                      f"{UNITS[term]},{time},{time},{time},{status},{(adequacy or {}).get(axis, 'adequate')}")
-    lines = [plot_allan_files.FINDINGS, ',,log,0,1000,s,"$imu$.csv, 100 Hz,\n1000 s"', "gyroscope,x,note,nan,nan,,text"]
+    lines = [plot_allan_files.FINDINGS, ',,log,0,1000,s,"$imu$.csv, 100 Hz,\n1000 s"', "gyroscope,x,note,nan,nan,,text",
+             "gyroscope,x,step,0,0,s,of steps"]
     lines += [f"gyroscope,{axis},{kind},{start},{end},-,text" for axis, kind, start, end in findings]
     for file, text in ("curves", curves), ("spectrum", spectrum), ("noise", noise), ("findings", lines):
         (folder / f"{file}.csv").write_text("\n".join(text) + "\n", encoding="utf-8")
@@ -92,8 +93,9 @@ alike = write("alike", {"x": 1, "y": 1, "z": 1}, terms)
 svg = draw(alike)
 expect_texts(svg, ["$imu$.csv, 100 Hz, 1000 s", "Gyroscope", "N  0.00100 rad/s/√Hz  (3.44 °/√h)",
                    "K  3.00×10⁻⁵ rad/s²/√Hz",
-                   "possible: B 2.0×10⁻⁴ rad/s (other descriptions do without)",
-                   "not detected: Q &lt; 2.0×10⁻⁶ rad", "frequency (Hz)", "model", "its terms, read at the dot"], ["left out", "disagree", "pale", "in part"])
+                   "possible: B &lt; 4.0×10⁻⁴ rad/s",
+                   "not detected: Q &lt; 2.0×10⁻⁶ rad", "frequency (Hz)", "model", "its terms, read at the dot"],
+             ["left out", "disagree", "pale", "in part", "step"])
 expect(dashed(svg) == [("#000000", 1)] * 2, dashed(svg))
 expect(draw(alike) == svg, "another picture each time")
 
@@ -107,8 +109,8 @@ svg = draw(differ)
 expect_texts(svg, ["y: model does not describe it",
                    "x: described in part, left out 0.7 … 0.9 Hz; y: left out above 20 Hz; z: step at 600 s,",
                    "frozen 100 … 110 s", "0.00400",
-                   "3.0×10⁻⁵ ?", "2.0×10⁻⁴, 77 s", "°/√h", "left out", "model and curve disagree",
-                   "model, pale where not fitted"], ["read at the dot", "N  0.00"])
+                   "&lt; 6.0×10⁻⁵ ?", "2.0×10⁻⁴, 77 s", "°/√h", "left out",
+                   "model and curve disagree", "model, pale where not fitted"], ["read at the dot", "N  0.00"])
 lines = dashed(svg)
 expect(len({colour for colour, _ in lines}) == 3, lines)
 expect(sorted(opacity for _, opacity in lines) == [0.35] * 2 + [1] * 6, lines)  # y above; x below
