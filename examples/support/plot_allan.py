@@ -115,6 +115,7 @@ def draw_scales(plot, window, x_label, y_label):
     plot.set_axis_on()
     plot.set(xscale="log", yscale="log", xlim=window[:2], ylim=window[2:])
     plot.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+    plot.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
     plot.set_xlabel(x_label)
     plot.set_ylabel(y_label)
     plot.grid(True, which="major", color="0.82", linewidth=0.8)
@@ -148,7 +149,8 @@ def draw_spectrum(plot, axes, noise, findings, style):
     margin = max((frequency.max() / frequency.min()) ** 0.03, 1.1)
     unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
     top = numpy.minimum(upper, density * 3).max()
-    window = frequency.min() / margin, frequency.max() * margin, bottom / 1.5, top * 1.3
+    middle, half = math.sqrt(bottom * top), max(1.4 * math.sqrt(top / bottom), 10)  # with two powers of ten, which have labels
+    window = frequency.min() / margin, frequency.max() * margin, middle / half, middle * half
     draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
     for axis, (x, y, lower, upper, _, _) in axes.items():
         draw_values(plot, x, y, lower, upper, style.colours[axis])

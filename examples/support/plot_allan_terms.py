@@ -32,7 +32,7 @@ FAMILIAR = {  # what data sheets write
 }
 UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
 GUIDE, DOTTED = "0.45", (0, (1, 1.5))
-WIDEST_TABLE = 6.4  # in columns of one number
+WIDEST_TABLE = 6.7  # in columns of one number
 
 
 def shared_terms(axes):
@@ -196,7 +196,8 @@ def table_columns(sensor, axes):
             if best != status:
                 continue
             timed = name in ("G", "W")
-            columns.append((name, found[0].unit + (", s" if timed else ""), 1.6 if timed else 1, value_text))
+            width = 1 + 0.6 * timed + 0.25 * any(term.status == "possible" for term in found)
+            columns.append((name, found[0].unit + (", s" if timed else ""), width, value_text))
             factor, unit = familiar_unit(sensor, found[0])
             if unit:
                 columns.append(("", unit, 0.9, lambda term, factor=factor: value_text(

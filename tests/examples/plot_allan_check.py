@@ -159,7 +159,7 @@ refused(":2: 2 columns, expected 7: sensor,axis,frequency [Hz]", "spectrum.csv",
 refused(":2: '-1', expected a positive number for tau", "curves.csv", ",1,0.01,", ",1,-1,")
 refused(":2: used '2', expected one of 0, 1", "spectrum.csv", ",1\n", ",2\n")
 refused(":2: status 'sure', expected one of detected, possible, absent", "noise.csv", ",detected,partial", ",sure,partial")
-refused(":2: adequacy 'good', expected one of adequate, partial, inadequate", "noise.csv", "detected,partial", "detected,good")
+refused(":2: adequacy 'good', expected one of adequate, partial, ", "noise.csv", "detected,partial", "detected,good")
 refused(":2: '0', expected a positive number for estimate", "noise.csv", ",1,0.001,", ",1,0,")
 refused(": from 0.9 to 0.7, expected a span", "findings.csv", ",0.7,0.9,", ",0.9,0.7,")
 refused(": no rows, expected sensor,axis,m", "curves.csv", (differ / "curves.csv").read_text(encoding="utf-8"), "")
