@@ -69,7 +69,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
         const allan::IntegratedSignal<double> signal(axis.values, sensor.rate);
         found[i].emplace(signal);
         AxisNoise one{axis.name, allan::analyse(axis.values, signal, *found[i], options), {}};
-        one.findings = findings_of(one.analysis, sensor.kind, [&](double seconds) { return log_time(log, seconds); });
+        one.findings = findings_of(one.analysis, sensor);
         return one;
       });
     });

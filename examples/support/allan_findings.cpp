@@ -16,8 +16,8 @@ namespace {
 
 class Findings {
  public:
-  Findings(const allan::Analysis<double>& analysis, SensorKind kind, const std::function<double(double)>& log_time)
-      : analysis_(analysis), noise_(analysis.noise), kind_(kind), log_time_(log_time), rate_(analysis.curve.rate) {
+  Findings(const allan::Analysis<double>& analysis, const SensorLog& sensor)
+      : analysis_(analysis), noise_(analysis.noise), sensor_(sensor), kind_(sensor.kind), rate_(sensor.rate) {
     steps();
     freezes();
     bands();
@@ -32,7 +32,7 @@ class Findings {
 
  private:
   /// Seconds since the beginning of the log.
-  [[nodiscard]] double time(std::int64_t sample) const { return log_time_(static_cast<double>(sample) / rate_); }
+  [[nodiscard]] double time(std::int64_t sample) const { return sensor_.time_of(static_cast<std::size_t>(sample)); }
 
   void steps() {
     constexpr std::size_t most = 5;
@@ -104,7 +104,7 @@ class Findings {
                         worst->frequencies.upper, worst->ratio);
     }
     all_.push_back({"fit", 0, 0, "",
-                    formatted("THESE TERMS DO NOT DESCRIBE IT (by chance in %.1g of logs)%s; intervals do not hold",
+                    formatted("THESE TERMS DO NOT DESCRIBE IT (goodness of fit: p = %.1g)%s; intervals do not hold",
                               noise_.fit_probability, where.c_str()),
                     true});
   }
@@ -161,15 +161,14 @@ class Findings {
 
   const allan::Analysis<double>& analysis_;
   const allan::NoiseEstimates<double>& noise_;
+  const SensorLog& sensor_;
   SensorKind kind_;
-  const std::function<double(double)>& log_time_;
   double rate_;
   std::vector<Finding> all_;
 };
 
 }  // namespace
 
-std::vector<Finding> findings_of(const allan::Analysis<double>& analysis, SensorKind kind,
-                                 const std::function<double(double)>& log_time) {
-  return Findings(analysis, kind, log_time).all();
+std::vector<Finding> findings_of(const allan::Analysis<double>& analysis, const SensorLog& sensor) {
+  return Findings(analysis, sensor).all();
 }

@@ -2,11 +2,11 @@
 // What is wrong with a log, or with what was made of it, in words.
 #pragma once
 
-#include <functional>
 #include <splinertia/allan/analysis.hpp>
-#include <splinertia/imu/describe.hpp>
 #include <string>
 #include <vector>
+
+#include "support/imu_log.hpp"
 
 /// One thing that a reader of the results must know. Kinds: excluded and unused (bands of frequencies), misfit
 /// (averaging times), fit, step, freeze, resolution, white_noise, descriptions.
@@ -18,8 +18,6 @@ struct Finding {
   bool warning;      ///< what is reported does not hold, or holds without this only
 };
 
-/// Of one axis; `log_time` gives the time since the beginning of the log [s] of a time since the first sample that was
-/// analysed.
+/// Of one axis of this sensor.
 [[nodiscard]] std::vector<Finding> findings_of(const splinertia::allan::Analysis<double>& analysis,
-                                               splinertia::SensorKind kind,
-                                               const std::function<double(double)>& log_time);
+                                               const SensorLog& sensor);

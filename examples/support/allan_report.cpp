@@ -76,7 +76,7 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
                 list_of(missing).c_str());
   }
   if (row.noise->fits) {
-    std::printf("%s: what is used agrees with these terms (chance deviates as much in %.2g of logs)\n", who.c_str(),
+    std::printf("%s: what is used agrees with these terms (goodness of fit: p = %.2g)\n", who.c_str(),
                 row.noise->fit_probability);
   }
 }

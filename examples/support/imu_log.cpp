@@ -194,7 +194,8 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
   for (const SensorKind kind : {SensorKind::gyro, SensorKind::accel}) {
     const auto& unit = kind == SensorKind::gyro ? options.gyro_unit : options.accel_unit;
     const double factor = unit ? units.at(*unit) : 1;
-    SensorLog sensor{kind, {}, stream.table.path.string(), stream.columns.rows, stream.rate, stream.sampling};
+    SensorLog sensor{
+        kind, {}, stream.table.path.string(), stream.columns.rows, stream.rate, stream.sampling, stream.left_out.times};
     for (std::size_t i = 0; i < 3; ++i) {
       auto& values = stream.columns.values[i + (kind == SensorKind::gyro ? 1 : 4)];
       if (values.empty()) continue;
@@ -214,15 +215,14 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
 
 }  // namespace
 
-double log_time(const ImuLog& log, double seconds) {
-  double time = log.skipped + seconds;
-  for (const LogSpan& span : log.left_out) {
-    if (time >= span.begin) time += span.end - span.begin;
-  }
-  return time;
-}
-
 std::string_view sensor_name(SensorKind kind) { return kind == SensorKind::gyro ? "gyroscope" : "accelerometer"; }
+
+double SensorLog::time_of(std::size_t sample) const {
+  const auto behind = std::upper_bound(times.begin(), times.end(), sample,
+                                       [](std::size_t value, const SampleTime& known) { return value < known.sample; });
+  const SampleTime& before = *(behind - 1);
+  return before.time + static_cast<double>(sample - before.sample) / rate;
+}
 
 ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& options) {
   std::vector<Stream> streams;
@@ -233,7 +233,6 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
   log.samples = streams[0].columns.rows;
   log.rate = streams[0].rate;
   log.sampling = streams[0].sampling;
-  log.skipped = streams[0].left_out.skipped;
   log.left_out = streams[0].left_out.inside;
   for (std::size_t i = 0; i < streams.size(); ++i) {
     const std::string name = streams.size() == 1 ? "" : i == 0 ? "gyroscope " : "accelerometer ";
@@ -246,13 +245,18 @@ ImuLog read_imu_log(const std::filesystem::path& path, const ImuLogOptions& opti
 std::vector<double> read_numbers(const std::filesystem::path& path) {
   TextFile file(path == "-" ? "/dev/stdin" : path);
   std::vector<double> numbers;
-  while (file.next()) {
-    const Parsed<double> number = parse_real(file.line());
-    if (number.problem) file.fail(excerpt(file.line()), ' ', number.problem, ", expected one number a line");
-    numbers.push_back(number.value);
+  for (double usual = 0;;) {
+    if (file.next_number(usual)) {
+      numbers.push_back(usual);
+    } else if (file.next()) {
+      const Parsed<double> number = parse_real(file.line());
+      if (number.problem) file.fail(excerpt(file.line()), ' ', number.problem, ", expected one number a line");
+      numbers.push_back(number.value);
+    } else {
+      return numbers;
+    }
     if (numbers.size() == 10'000 && file.progress() > 0) {  // enough to tell the length of the rest
       numbers.reserve(static_cast<std::size_t>(1.02 * static_cast<double>(numbers.size()) / file.progress()));
     }
   }
-  return numbers;
 }

@@ -43,6 +43,12 @@ struct LogSpan {
   double begin, end;
 };
 
+/// When a sample was taken.
+struct SampleTime {
+  std::size_t sample;  ///< of those that were read
+  double time;         ///< s from the beginning of the log, with what was left out
+};
+
 using LogSampling = splinertia::allan::Sampling<std::chrono::nanoseconds>;
 
 /// A sensor has a rate of its own: the accelerometer may come from another log (ImuLogOptions::accel_log).
@@ -53,6 +59,10 @@ struct SensorLog {
   std::size_t samples = 0;
   double rate = 0;                      ///< Hz
   std::optional<LogSampling> sampling;  ///< of the stamps, if there are any
+  std::vector<SampleTime> times;        ///< of the first sample, each behind what was left out, and some in between
+
+  /// The time of a sample, s from the beginning of the log, as --leave-out wants it.
+  [[nodiscard]] double time_of(std::size_t sample) const;
 };
 
 struct ImuLog {
@@ -61,16 +71,12 @@ struct ImuLog {
   std::size_t samples = 0;              ///< of the first sensor
   double rate = 0;                      ///< Hz, of the first sensor
   std::optional<LogSampling> sampling;  ///< of the first sensor
-  double skipped = 0;                   ///< s, at the beginning
   std::vector<LogSpan> left_out;        ///< stretches inside the log; what is on both sides is joined
   std::string units;                    ///< that the sensors are taken to be in, as a line
   std::vector<SensorLog> sensors;       ///< gyroscope and accelerometer, without what has no axis
   std::vector<std::string> report;      ///< how the log was read: lines for the report
   std::vector<std::string> warnings;    ///< a line each
 };
-
-/// Seconds since the beginning of a log of a time since the first sample that was kept: with what was left out.
-[[nodiscard]] double log_time(const ImuLog& log, double seconds);
 
 /// gyroscope, accelerometer
 [[nodiscard]] std::string_view sensor_name(splinertia::SensorKind kind);

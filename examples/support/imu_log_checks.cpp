@@ -82,7 +82,7 @@ void check_stillness(const SensorLog& sensor, ImuLog& log) {
     log.warnings.push_back(message(sensor_name(sensor.kind), ' ', axis.name, ": not at rest? In ", still.disturbed,
                                    " of ", still.blocks, " blocks of ", static_cast<double>(block) / sensor.rate,
                                    " s it varies more than four times as much as in most, the worst ",
-                                   static_cast<double>(still.worst) / sensor.rate, " s after the beginning (",
+                                   sensor.time_of(static_cast<std::size_t>(still.worst)), " s after the beginning (",
                                    short_text(still.worst_ratio), " times)"));
     return;  // the other axes will say the same
   }

@@ -55,9 +55,13 @@ StampUnit choose_stamp_unit(std::span<const std::string> first_stamps, std::opti
     return {TimeUnit::seconds, usual ? "times in s, as they have decimals" : ""};
   }
   const TimeUnit unit = usual.value_or(TimeUnit::seconds);
-  const double rate = sample.mean_step > 0 ? 1 / (sample.mean_step * seconds_of(unit)) : imu_rates.lowest;
+  const auto rate_in = [&](TimeUnit in) { return 1 / (sample.mean_step * seconds_of(in)); };
+  const double rate = sample.mean_step > 0 ? rate_in(unit) : imu_rates.lowest;
   if (few || (usual ? rate <= imu_rates.highest : plausible(unit))) return {unit, ""};
-  const std::string way_out = plausible_units(rate, 1e9 * shortest_log, unit);
+  const std::string way_out =
+      since_1970 && plausible(*since_1970)
+          ? message("give --time-unit ", time_unit_name(*since_1970), formatted(" (%.4g Hz)", rate_in(*since_1970)))
+          : plausible_units(rate, 1e9 * shortest_log, unit);
   if (usual) throw std::runtime_error(message(where, ": ", too_fast(rate, unit), "; ", way_out));
   throw std::runtime_error(message(where, ": nothing tells the unit of the times: the samples would have ",
                                    rates_text(sample.mean_step), "; ", way_out));

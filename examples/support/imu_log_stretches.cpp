@@ -109,16 +109,26 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
   }
 
   LeftOut result;
-  std::size_t before = 0;  // rows removed so far
-  if (!removed.empty() && removed.front().first == 0) result.skipped = clock.time_of(removed.front().last);
+  std::size_t kept = 0;
+  const auto keep = [&](std::size_t first, std::size_t last) {
+    // Stamps drift from the mean rate, and samples may be missing: every now and then their time is noted.
+    constexpr std::size_t step = 1000;
+    for (std::size_t row = first; row < last; row += step) {
+      result.times.push_back({kept + row - first, clock.time_of(row)});
+    }
+    kept += last - first;
+  };
+  std::size_t first = 0;
   for (const Rows& rows : removed) {
+    keep(first, rows.first);
     if (rows.first > 0 && rows.last < all) {
       result.inside.push_back({clock.time_of(rows.first), clock.time_of(rows.last)});
       result.rows_inside += rows.last - rows.first;
-      result.breaks.push_back(static_cast<std::int64_t>(rows.first - before));
+      result.breaks.push_back(static_cast<std::int64_t>(kept));
     }
-    before += rows.last - rows.first;
+    first = rows.last;
   }
+  keep(first, all);
   for (auto rows = removed.rbegin(); rows != removed.rend(); ++rows) columns.erase(rows->first, rows->last);
   return result;
 }

@@ -11,9 +11,9 @@
 #include "support/imu_log_columns.hpp"
 
 struct LeftOut {
-  double skipped = 0;                ///< s, before the first sample that stays
   std::vector<LogSpan> inside;       ///< what was left out between two samples that stay
   std::size_t rows_inside = 0;       ///< of those
+  std::vector<SampleTime> times;     ///< of SensorLog
   std::vector<std::int64_t> breaks;  ///< indices of the samples, of those that stay, before which it was
 };
 

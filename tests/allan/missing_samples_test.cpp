@@ -91,6 +91,14 @@ TEST_CASE("the nominal interval may be off, and the clock may drift") {
   CHECK(places[0].count == 1);
 }
 
+TEST_CASE("gaps longer than any log count as a billion samples") {
+  std::vector<double> intervals(100, 1);
+  intervals[20] = 1e300;
+  const auto places = find_missing_samples(intervals, 1);
+  REQUIRE(places.size() == 1);
+  CHECK(places[0].count == 999'999'999);
+}
+
 TEST_CASE("few intervals, none, and a nominal interval that is none") {
   CHECK(find_missing_samples({}, 1).empty());
   CHECK(find_missing_samples({1}, 1).empty());

@@ -228,11 +228,26 @@ TEST_CASE("stretches are left out, with times and without") {
   CHECK(values[300] == before[1000]);  // 5 s
   CHECK(values[899] == before[1699]);
   CHECK_THAT(log.rate, WithinRel(200.0, 1e-12));
+  const auto time_of = [&](std::size_t sample) { return log.sensors[1].time_of(sample); };
+  CHECK_THAT(time_of(0), WithinAbs(1.5, 1e-9));
+  CHECK_THAT(time_of(299), WithinAbs(2.995, 1e-9));
+  CHECK_THAT(time_of(300), WithinAbs(5, 1e-9));
+  CHECK_THAT(time_of(899), WithinAbs(8.495, 1e-9));
+  CHECK_THAT(all.sensors[0].time_of(1999), WithinAbs(9.995, 1e-9));
   REQUIRE(log.left_out.size() == 2);
   CHECK(log.left_out[0].begin == 3);
   CHECK(log.left_out[0].end == 5);
   CHECK(log.left_out[1].begin == 7.5);
   CHECK(line(log, "left out") == "left out: 3 s to 5 s and 7.5 s to 8 s, 500 samples; what is on both sides is joined");
+}
+
+TEST_CASE("the time of a sample counts what is missing") {
+  const Writer write;
+  ImuLogOptions options;
+  options.limits.missing = 1;
+  const ImuLog log = read_imu_log(write(4000, [](int i) { return every_5_ms(i < 1500 ? i : i + 400); }), options);
+  CHECK_THAT(log.sensors[0].time_of(1499), WithinAbs(7.495, 1e-9));
+  CHECK_THAT(log.sensors[0].time_of(3999), WithinAbs(21.995, 1e-9));
 }
 
 TEST_CASE("bad ranges") {

@@ -111,3 +111,44 @@ TEST_CASE("excerpts stay short and on one line") {
   CHECK(excerpt(std::string(100, 'x'), 100) == "\"" + std::string(100, 'x') + "\"");
   CHECK(excerpt(std::string(100, 'x')) == "\"" + std::string(40, 'x') + "…\"");
 }
+
+TEST_CASE("numbers are read at once where a line has nothing else") {
+  const test::TemporaryDirectory folder;
+  std::string text =
+      "\xEF\xBB\xBF"
+      "1\n# 2\n\n-3.5e-2\n2.5\n 4\n5\r\n6,7\nnan\n8";
+  TextFile file(folder.write("numbers.txt", text));
+  std::vector<std::string> found;
+  for (double number = 0;;) {
+    if (file.next_number(number)) {
+      found.push_back(std::to_string(file.line_number()) + " number " + std::to_string(number));
+    } else if (file.next()) {
+      found.push_back(std::to_string(file.line_number()) + " line " + std::string(file.line()));
+    } else {
+      break;
+    }
+  }
+#if defined(__SIZEOF_INT128__)
+  CHECK(found == std::vector<std::string>{"1 line 1", "4 line -3.5e-2", "5 number 2.500000", "6 line 4", "7 line 5",
+                                          "8 line 6,7", "9 line nan", "10 line 8"});
+#else
+  CHECK(found.size() == 8);
+#endif
+}
+
+TEST_CASE("numbers at the ends of blocks are whole") {
+  const test::TemporaryDirectory folder;
+  std::string text;
+  for (int i = 0; i < 60'000; ++i) text += std::to_string(i * 7.25) + '\n';
+  TextFile file(folder.write("numbers.txt", text));
+  int count = 0;
+  for (double number = 0;; ++count) {
+    if (!file.next_number(number)) {
+      if (!file.next()) break;
+      number = std::stod(std::string(file.line()));
+    }
+    REQUIRE(number == count * 7.25);
+  }
+  CHECK(count == 60'000);
+  CHECK(file.line_number() == 60'000);
+}

@@ -45,8 +45,10 @@ class BandSelection {
   }
 
   /// Leaves out what deviates most from a model that each part of the spectrum has the same say in, until nothing does:
-  /// so the octave at the top, which has half of all numbers, does not win against all others.
+  /// so the octave at the top, which has half of all numbers, does not win against all others. Lines come first: in a
+  /// likelihood, ten thousand times the power in one bin outweighs all others.
   void leave_out_misfits(NoiseTerms terms) {
+    leave_out_lines();
     const Scalar most_count = 32 * static_cast<Scalar>(spectrum_.spectra());
     const bool trend = terms.has(NoiseTerm::rate_ramp);
     typename Fit::Result last;
@@ -91,6 +93,24 @@ class BandSelection {
   }
 
  private:
+  /// Bins with more than twice the power of half an octave about them, by the median, and by eight standard deviations.
+  void leave_out_lines() {
+    constexpr std::size_t about = 16;
+    constexpr int most_deviations = 8;
+    std::vector<Scalar> power;
+    for (const auto& bin : spectrum_.bins()) power.push_back(bin.power / (bin.count * bin.basis[0]));
+    for (std::size_t i = 0; i < power.size(); ++i) {
+      std::vector<Scalar> near(power.begin() + static_cast<std::ptrdiff_t>(i > about ? i - about : 0),
+                               power.begin() + static_cast<std::ptrdiff_t>(std::min(i + about + 1, power.size())));
+      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+      std::nth_element(near.begin(), middle, near.end());
+      // The cube root of a mean of squares is all but normal (FitBands); its median is that of the mean but for this.
+      const Scalar variance = 2 / (9 * spectrum_.bins()[i].count);
+      const Scalar ratio = power[i] / *middle * (1 - 3 * variance);
+      if (ratio > 2 && std::cbrt(ratio) > 1 - variance + most_deviations * std::sqrt(variance)) included_[i] = false;
+    }
+  }
+
   void mark(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) included_[i] = false;
   }

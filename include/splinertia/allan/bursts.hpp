@@ -22,7 +22,9 @@ struct Bursts {
   std::int64_t missing;  ///< samples that there would be in the holes
 };
 
-namespace detail {
+}  // namespace splinertia::allan
+
+namespace splinertia::detail {
 
 /// Requires values. Changes their order.
 [[nodiscard]] inline double median_of(std::vector<double>& values) {
@@ -52,7 +54,9 @@ namespace detail {
   return median_of(sums) / static_cast<double>(row);
 }
 
-}  // namespace detail
+}  // namespace splinertia::detail
+
+namespace splinertia::allan {
 
 /// Recognises bursts of 2 to about 100 samples in the intervals of stamps (s): nine tenths of them are either shorter
 /// than a quarter of their mean or longer than it, and pauses recur at least every 128 samples. Nothing for stamps that
@@ -93,7 +97,7 @@ namespace detail {
   bursts.samples = static_cast<double>(samples) / static_cast<double>(pauses_without_holes);
   bursts.rate = static_cast<double>(samples) / time;
   bursts.period = bursts.samples / bursts.rate;
-  bursts.missing = std::llround(in_holes * bursts.rate);
+  bursts.missing = std::llround(std::min(in_holes * bursts.rate, 1e15));  // fits in 64 bits
   return bursts;
 }
 

@@ -44,6 +44,15 @@ struct DeviationMisfit {
   Scalar ratio{};                ///< there, measured over model
 };
 
+/// What a description has at m samples more than at the averaging time alone, in squares: walk and Gauss–Markov bias
+/// are those of samples, each of which holds for a whole interval, K²τ/3·(1 + 1/(2m²)).
+template <typename Scalar>
+[[nodiscard]] Scalar sampled_variance(const Description<Scalar>& description, std::int64_t m, const Scalar& tau) {
+  const Scalar walk = description.value(NoiseTerm::random_walk), bias = description.value(NoiseTerm::gauss_markov);
+  const Scalar square = walk * walk + (bias > 0 ? 2 * bias * bias / description.correlation_time : Scalar(0));
+  return square * tau / (6 * static_cast<Scalar>(m) * static_cast<Scalar>(m));
+}
+
 /// Where the overlapping Allan deviation of a log is off that of the best description by more than chance explains, as
 /// four standard deviations of a normal number: if the model is true, the ratio of the squares times the degrees of
 /// freedom is chi-square, and its cube root normal (Wilson and Hilferty, PNAS 17 (1931)). Points with the same sign
@@ -55,7 +64,8 @@ template <typename Scalar>
   std::vector<DeviationMisfit<Scalar>> misfits;
   Scalar worst_off = 0, last_sign = 0;
   for (const auto& point : curve.points) {
-    const Scalar model = noise.deviation(point.tau);
+    const Scalar model = std::hypot(noise.deviation(point.tau),
+                                    std::sqrt(sampled_variance(noise.descriptions.front(), point.factor, point.tau)));
     if (!(model > 0) || !(point.deviation > 0)) continue;
     const int alpha = ruling_power_law(noise.descriptions.front(), point.tau, noise.duration);
     const auto freedom = static_cast<Scalar>(

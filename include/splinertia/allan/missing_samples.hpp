@@ -18,7 +18,9 @@ struct MissingSamples {
   std::int64_t count;     ///< how many, at least 1
 };
 
-namespace detail {
+}  // namespace splinertia::allan
+
+namespace splinertia::detail {
 
 /// The most likely course of the sampling grid along the stamps. With r_i the time of sample i less i nominal
 /// intervals, in nominal intervals, r_i = φ + m_i + jitter: m_i counts the samples that are missing so far and φ is the
@@ -34,7 +36,7 @@ class GridSearch {
 
   /// The next sample, whose interval to the one before is `length` nominal ones.
   void add(std::int64_t interval, double length) {
-    position_ += length - 1;
+    position_ += std::min(length, longest) - 1;
     next_.clear();
     for (const Hypothesis& h : hypotheses_) {
       const double ahead = position_ - h.phase - static_cast<double>(h.missing);
@@ -45,6 +47,10 @@ class GridSearch {
       extend(h, ahead, least + 1, interval);
     }
     std::sort(next_.begin(), next_.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    // More missing than the best has: to be had later for one price, so that a cost of several is hopeless.
+    const Hypothesis leader = next_.front();
+    std::erase_if(next_,
+                  [&](const Hypothesis& h) { return h.missing > leader.missing && h.cost > leader.cost + 10 * price; });
     // The one with the fewest missing stays, because late stamps may catch up: it is the only way back.
     const auto fewest = std::min_element(next_.begin(), next_.end(),
                                          [](const auto& a, const auto& b) { return a.missing < b.missing; });
@@ -59,8 +65,8 @@ class GridSearch {
   }
 
   /// Of the best hypothesis, in order.
-  [[nodiscard]] std::vector<MissingSamples> found() const {
-    std::vector<MissingSamples> result;
+  [[nodiscard]] std::vector<allan::MissingSamples> found() const {
+    std::vector<allan::MissingSamples> result;
     for (std::size_t link = hypotheses_.front().last; link != none; link = links_[link].before) {
       result.push_back(links_[link].place);
     }
@@ -71,6 +77,7 @@ class GridSearch {
  private:
   static constexpr std::ptrdiff_t survivors = 6;
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr double longest = 1e9;   // interval: so that no sum of missing samples leaves 64 bits
   static constexpr double hopeless = 1e4;  // costs above those of the best
   static constexpr double price = 15;      // of a place with missing samples: once in e^15 samples by chance
   static constexpr double earliest = 0.3;  // so far ahead of the grid is the stamp after a missing sample, at least
@@ -85,7 +92,7 @@ class GridSearch {
     std::size_t last = none;  // in links_
   };
   struct Link {
-    MissingSamples place;
+    allan::MissingSamples place;
     std::size_t before;
   };
 
@@ -121,7 +128,9 @@ class GridSearch {
   std::vector<Link> links_;
 };
 
-}  // namespace detail
+}  // namespace splinertia::detail
+
+namespace splinertia::allan {
 
 /// Finds the samples that are missing between stamps. `intervals` are those from one stamp to the next, `nominal` is
 /// about that of the sampling, within some percent, both in s. Counts from cumulated time, so that a late stamp before

@@ -166,21 +166,26 @@ class ModelEstimates {
     if (!estimate.detected) estimate.interval.lower = estimate.one_sigma.lower = Scalar(0);
   }
 
-  /// Terms other than white noise are named only where the log is described by them.
+  /// Terms other than white noise are named only where the log is described by them. Beside a band that was left out
+  /// because it has more power, that may be no slow term but the foot of the band, and no trend but what is left of a
+  /// line at the ends of the log.
   [[nodiscard]] bool claimable(NoiseTerm term, const NoiseEstimates<Scalar>& result) const {
     if (term == NoiseTerm::white) return true;
     if (!result.fits) return false;
-    // The ends of a line that was left out look like a warm-up.
-    if (term == NoiseTerm::warm_up) return result.excluded.empty();
+    if (term == NoiseTerm::quantization) return true;
+    const bool trend = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up;
+    return std::none_of(result.excluded.begin(), result.excluded.end(), [&](const BandFit<Scalar>& band) {
+      return band.ratio > 1 && (trend || band.frequencies.lower < 2 * highest_slow_frequency());
+    });
+  }
+
+  /// Up to where slow terms make up more than a third of the power, Hz.
+  [[nodiscard]] Scalar highest_slow_frequency() const {
     const auto& best = selection_.best();
-    if (term == NoiseTerm::gauss_markov && best.terms.has(term)) {
-      // What is flat below a band that was left out and falls inside it is that band's foot.
-      const Scalar corner = 1 / (2 * std::numbers::pi_v<Scalar> * best.result.times.correlation);
-      for (const auto& band : result.excluded) {
-        if (band.frequencies.lower < 4 * corner && corner < 4 * band.frequencies.upper) return false;
-      }
-    }
-    return true;
+    const auto all = selection_.likelihood().fit().compare(best.result, has_trend(best.terms));
+    std::size_t end = 0;
+    while (end < all.size() && all[end].expected > all[end].white * 3 / 2) ++end;
+    return end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0);
   }
 
   /// Widens an estimate by what one description says; the first also says the value.

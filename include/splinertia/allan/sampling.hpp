@@ -48,13 +48,15 @@ struct Sampling {
   }
 };
 
-namespace detail {
+}  // namespace splinertia::allan
+
+namespace splinertia::detail {
 
 /// The intervals of stamps in s, without those before the samples `breaks`, and the longest of them.
 template <TimePoint Time>
 struct StampIntervals {
   std::vector<double> durations;
-  StampInterval<Time> longest{};
+  allan::StampInterval<Time> longest{};
   double total = 0;  // s
 
   template <std::ranges::forward_range Stamps>
@@ -143,7 +145,9 @@ struct StampIntervals {
   return nominal;
 }
 
-}  // namespace detail
+}  // namespace splinertia::detail
+
+namespace splinertia::allan {
 
 /// Reads time stamps: seconds, or an integer std::chrono::duration. `breaks` are the indices of samples before which a
 /// stretch was left out on purpose, in increasing order; no sample is missing there. Throws std::invalid_argument for

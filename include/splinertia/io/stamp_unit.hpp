@@ -48,12 +48,13 @@ inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::millisec
 
 /// What the first stamps of a file look like.
 struct StampSample {
-  double step = 0;        // the median of the positive steps, in their unit; 0 if there is none
-  double mean_step = 0;   // likewise; in bursts the median says nothing of the rate
-  double middle = 0;      // the median stamp
-  bool decimals = false;  // some are written with them
-  bool fractions = false;  // some are no whole numbers
+  double step = 0;         ///< the median of the positive steps, in their unit; 0 if there is none
+  double mean_step = 0;    ///< likewise; in bursts the median says nothing of the rate
+  double middle = 0;       ///< the median stamp
+  bool decimals = false;   ///< some are written with them
+  bool fractions = false;  ///< some are no whole numbers
 
+  /// Of texts; what is no number is passed over.
   explicit StampSample(std::span<const std::string_view> texts) {
     std::vector<double> values, steps;
     for (const std::string_view text : texts) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <splinertia/io/detail/short_decimal.hpp>
 #include <splinertia/io/input_file.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
@@ -68,6 +69,21 @@ class TextFile {
       if (line_.front() != '#') return true;
     }
     return false;
+  }
+
+  /// Reads the next line at once if it is a number as programs write it and nothing else, which saves looking for its
+  /// end. False: it is something else, or not all of it is in memory yet, and next() goes to it. Leaves line() as it
+  /// is.
+  [[nodiscard]] bool next_number(double& number) {
+#if defined(__SIZEOF_INT128__)
+    const char* const end = detail::short_decimal(begin_, end_, number);
+    if (end == nullptr || end == end_ || *end != '\n') return false;
+    begin_ = end + 1;
+    ++number_;
+    return true;
+#else
+    return false;
+#endif
   }
 
   /// As next(), but stops at comments, too.

@@ -23,23 +23,39 @@ inline constexpr auto powers_of_five = [] {
   return powers;
 }();
 
+/// ⌊2^127/d⌋ for each power of five, d, shifted to the upper end of 64 bits.
+inline constexpr auto reciprocals_of_powers = [] {
+  std::array<std::uint64_t, powers_of_five.size()> reciprocals{};
+  for (std::size_t i = 0; i < reciprocals.size(); ++i) {
+    const Wide largest = ~Wide{0} >> 1;  // as good as 2^127, which d does not divide
+    reciprocals[i] = static_cast<std::uint64_t>(largest / (powers_of_five[i] << std::countl_zero(powers_of_five[i])));
+  }
+  return reciprocals;
+}();
+
 /// digits·10^power, rounded to the nearest double, to even if two are as near. Requires |power| ≤ 27. Product and
 /// quotient are exact integers. What does not fit in their 64 bits only sets the last one, which decides the rounding.
 [[nodiscard]] inline double decimal_value(std::uint64_t digits, int power) {
   if (digits == 0) return 0;
-  const std::uint64_t factor = powers_of_five[static_cast<std::size_t>(power < 0 ? -power : power)];
+  const auto index = static_cast<std::size_t>(power < 0 ? -power : power);
+  const std::uint64_t factor = powers_of_five[index];
   const int free = std::countl_zero(digits);
   const std::uint64_t normal = digits << free;
   std::uint64_t bits = 0;
-  bool inexact = false;
+  bool inexact = true;
   int exponent = power - free;  // the value is bits·2^exponent
   if (power < 0) {
     const int free_of_factor = std::countl_zero(factor);
-    const std::uint64_t divisor = factor << free_of_factor;
-    const Wide dividend = static_cast<Wide>(normal) << 63;  // its upper half is less than the divisor
-    bits = static_cast<std::uint64_t>(dividend / divisor);
-    inexact = bits * divisor != static_cast<std::uint64_t>(dividend);
     exponent += free_of_factor - 63;
+    // The quotient is less than 2 above this. A double keeps 53 bits of its 63 or 64, so that rounding cannot depend on
+    // the difference unless the last 9 bits are about zero.
+    bits = static_cast<std::uint64_t>(static_cast<Wide>(normal) * reciprocals_of_powers[index] >> 64);
+    if (((bits + 2) & 0x1FF) <= 2) {
+      const std::uint64_t divisor = factor << free_of_factor;
+      const Wide dividend = static_cast<Wide>(normal) << 63;  // its upper half is less than the divisor
+      bits = static_cast<std::uint64_t>(dividend / divisor);
+      inexact = bits * divisor != static_cast<std::uint64_t>(dividend);
+    }
   } else {
     const Wide product = static_cast<Wide>(normal) * factor;
     const auto bits_of_factor = static_cast<int>(std::bit_width(factor));
