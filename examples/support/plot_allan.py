@@ -149,7 +149,8 @@ def draw_spectrum(plot, axes, noise, findings, style):
     margin = max((frequency.max() / frequency.min()) ** 0.03, 1.1)
     unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
     top = numpy.minimum(upper, density * 3).max()
-    middle, half = math.sqrt(bottom * top), max(1.4 * math.sqrt(top / bottom), 10)  # with two powers of ten, which have labels
+    # At least two decades, because powers of ten have labels.
+    middle, half = math.sqrt(bottom * top), max(1.4 * math.sqrt(top / bottom), 10)
     window = frequency.min() / margin, frequency.max() * margin, middle / half, middle * half
     draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
     for axis, (x, y, lower, upper, _, _) in axes.items():
