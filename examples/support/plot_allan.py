@@ -1,260 +1,284 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws the Allan deviation that the example program allan computed: FOLDER/allan.png and FOLDER/allan.svg.
+"""Draws what the example program allan computed: FOLDER/allan.png and FOLDER/allan.svg.
 
     allan imu.csv --output FOLDER
-    plot_allan.py FOLDER             # reads FOLDER/curves.csv and FOLDER/noise.csv; needs matplotlib
+    plot_allan.py FOLDER             # reads its csv files; needs matplotlib
+
+Above the Allan deviation of each sensor, below the root of its power spectral density.
 """
-import csv
 import math
+import textwrap
 
 import plotting
-from plotting import Failure
+from plot_allan_files import read_curves, read_findings, read_noise, read_spectrum
+from plot_allan_terms import (DOTTED, GUIDE, UNITS, detected_terms, draw_table, draw_terms, limits_of, place_labels,
+                              shared_notes, shared_terms, unbroken)
 
-CURVES = "#sensor,axis,m,tau [s],terms,deviation,lower,upper,alpha,fitted"
-NOISE = "#sensor,axis,term,detected,estimate,lower,upper,standard_error,unit"
-
-# The Allan deviation that a coefficient of 1 gives at 1 s, and its slope; so it can be read off the line at the time
-# where the line has the coefficient's value.
-LINES = {
-    "Q": (math.sqrt(3), -1),
-    "N": (1, -0.5),
-    "B": (math.sqrt(2 * math.log(2) / math.pi), 0),
-    "K": (1 / math.sqrt(3), 0.5),
-    "R": (1 / math.sqrt(2), 1),
-}
-SIDES = {  # of the point on the line where its text may stand, the best first
-    "Q": ["lower left", "upper right", "upper left", "lower right"],
-    "N": ["upper right", "lower left", "upper left", "lower right"],
-    "B": ["upper right", "lower right"],
-    "K": ["lower right", "upper left", "lower left", "upper right"],
-    "R": ["lower right", "upper left", "lower left", "upper right"],
-}
-DEGREE, MICRO_G = math.pi / 180, 9.80665e-6
-FLOOR = math.sqrt(2 * math.log(2) / math.pi)  # of the curve over B, which data sheets call bias instability
-FAMILIAR = {  # what data sheets write
-    ("gyroscope", "N"): (DEGREE / 60, "°/√h"),
-    ("gyroscope", "B"): (DEGREE / 3600 / FLOOR, "°/h, floor"),
-    ("accelerometer", "N"): (1 / 60, "m/s/√h"),
-    ("accelerometer", "B"): (MICRO_G / FLOOR, "µg, floor"),
-}
-UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
-GUIDE, DOTTED = "0.45", (0, (1, 1.5))
 COLOURS = [plotting.BLUE, plotting.RED, plotting.GREEN, plotting.PURPLE, plotting.ORANGE, plotting.SKY]
+ALL, WARNING, NOTE = "black", "#A00000", "0.3"  # the model of all axes; texts
+LEFT_OUT = {"facecolor": "0.45", "edgecolor": "0.35", "linewidth": 0.6}
+MISFIT = {"facecolor": "#F0C000", "edgecolor": "#B89000", "linewidth": 0.6}
+PALE = 0.35
+NOTE_HEIGHT = 13  # points
+CURVE = {"linewidth": 1.8}
+MODEL = {"linewidth": 1.5, "linestyle": (0, (4, 2))}
+WORDS = {  # for one or two findings, for more, their unit
+    "excluded": ("left out", "bands left out", "Hz"),
+    "step": ("step at", "steps", "s"),
+    "freeze": ("frozen", "frozen spans", "s"),
+    "disturbance": ("disturbed", "disturbances", "s"),
+}
 
 
-def read(path, header):
-    """The rows as dictionaries; what is not in the file is an empty text."""
-    names = [name.split(" ")[0] for name in header[1:].split(",")]
-    rows = []
-    with open(path, newline="", encoding="utf-8", errors="replace") as file:
-        for number, row in enumerate(csv.reader(file), 1):
-            if number == 1:
-                if ",".join(row) != header:
-                    raise Failure(f"{path}:1: {','.join(row)[:60]!r}, expected the header {header}")
-                continue
-            if len(row) != len(names):
-                raise Failure(f"{path}:{number}: {len(row)} columns, expected {len(names)}: {header[1:]}")
-            rows.append(dict(zip(names, row), place=f"{path}:{number}"))
-    if not rows:
-        raise Failure(f"{path}: no rows, expected {header[1:]}")
-    return rows
+class Style:
+    """What axes look like in every panel."""
+
+    def __init__(self, names):
+        import matplotlib.colors
+        self.colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(names)}
+        self.dark = {name: tuple(0.6 * part for part in matplotlib.colors.to_rgb(colour))
+                     for name, colour in self.colours.items()}
+        self.labels = {name: name if name.isalpha() else f"column {name}" for name in names}
 
 
-def number(row, name):
-    try:
-        return float(row[name])
-    except ValueError:
-        raise Failure(f"{row['place']}: {row[name]!r}, expected a number for {name}") from None
+def of_axis(findings, axis, *kinds):
+    return [finding for finding in findings if finding.kind in kinds and finding.axis in (axis, "all", "")]
 
 
-def positive(row, name):
-    value = number(row, name)
-    if not 0 < value < math.inf:
-        raise Failure(f"{row['place']}: {row[name]!r}, expected a positive number for {name}")
-    return value
+def parts(x, y, strong):
+    """The line where it is strong, and the rest up to the points where that begins: y with breaks."""
+    import numpy
+    rest = ~strong
+    beside = rest.copy()
+    beside[1:] |= rest[:-1]
+    beside[:-1] |= rest[1:]
+    found = (numpy.where(strong, y, numpy.nan), 1), (numpy.where(beside, y, numpy.nan), PALE)
+    return [(line, alpha) for line, alpha in found if numpy.isfinite(line).any()]
 
 
-def read_curves(path):
-    """Of each sensor the axes, of each axis the lists tau, deviation, lower, upper, fitted."""
-    sensors = {}
-    for row in read(path, CURVES):
-        axis = sensors.setdefault(row["sensor"], {}).setdefault(row["axis"], [])
-        tau, deviation, lower, upper = positive(row, "tau"), *(number(row, name) for name in ("deviation", "lower", "upper"))
-        fitted = positive(row, "fitted") if row["fitted"] not in ("", "nan") else math.nan
-        if not 0 <= deviation < math.inf:
-            raise Failure(f"{row['place']}: {row['deviation']!r}, expected a deviation of 0 or more")
-        # Zero has no place on a logarithmic scale; and 200 points a decade are more than anybody sees.
-        if deviation > 0 and (not axis or tau > axis[-1][0] * 10**0.005):
-            axis.append((tau, deviation, max(deviation / 100, lower), min(deviation * 100, upper), fitted))
-    for sensor, axes in sensors.items():
-        for axis, rows in axes.items():
-            if not rows:
-                raise Failure(f"{path}: {sensor} {axis} is 0 at all times, nothing to draw")
-    return {sensor: {axis: list(zip(*rows)) for axis, rows in axes.items()} for sensor, axes in sensors.items()}
+def draw_values(plot, x, y, lower, upper, colour):
+    """A curve and its band; paler where the band is wider than a factor of two."""
+    known = upper < 2 * lower
+    for line, alpha in parts(x, y, known):
+        plot.plot(x, line, color=colour, alpha=0.75 * alpha, zorder=3, **CURVE)
+    for line, alpha in parts(x, lower, known):
+        plot.fill_between(x, line, upper, color=colour, alpha=0.24 if alpha == 1 else 0.1, linewidth=0, zorder=2)
 
 
-def read_noise(path):
-    """Of each sensor the terms, pooled over the axes if there are several."""
-    sensors = {}
-    for row in read(path, NOISE):
-        if row["term"] not in LINES:
-            raise Failure(f"{row['place']}: term {row['term']!r}, expected one of {', '.join(LINES)}")
-        if row["detected"] not in ("0", "1"):
-            raise Failure(f"{row['place']}: detected {row['detected']!r}, expected 0 or 1")
-        row["value"] = positive(row, "estimate") if row["detected"] == "1" else number(row, "upper")
-        row["unit"] = row["unit"].replace("sqrt(Hz)", "√Hz").replace("^2", "²").replace("^3", "³")
-        terms = sensors.setdefault(row["sensor"], {})
-        if row["axis"] == "all" or row["term"] not in terms:
-            terms[row["term"]] = row
-    return sensors
+def draw_models(plot, lines, style):
+    """Of each axis x, y, and where it was fitted; lines that all axes share as one."""
+    import numpy
+    first = next(iter(lines.values()), None)
+    same = len(lines) > 1 and all(all(numpy.array_equal(a, b, equal_nan=True) for a, b in zip(first, other))
+                                  for other in lines.values())
+    for axis, (x, y, fitted) in ({"all": first} if same else lines).items():
+        for line, alpha in parts(x, y, fitted):
+            plot.plot(x, line, color=ALL if same else style.dark[axis], alpha=alpha, zorder=4, **MODEL)
 
 
-def figures(value, count):
-    """0.0150, or 5.00×10⁻⁵"""
-    if value == 0 or 1e-3 <= abs(value) < 1e5:
-        return f"{value:#.{count}g}".rstrip(".") if value < 10**count else f"{value:.0f}"
-    mantissa, exponent = f"{value:.{count - 1}e}".split("e")
-    return f"{mantissa}×10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+def shade(plot, axes, findings, kinds, span, style):
+    """Spans of x, the darker the more axes have them. Open ones go to the edge of the panel."""
+    left, right = plot.get_xlim()
+    drawn = False
+    for axis in axes:
+        for finding in of_axis(findings, axis, *kinds):
+            begin, end = span(finding)
+            begin, end = max(begin, left), min(end, right)
+            if begin < end:
+                plot.axvspan(begin, end, alpha=0.25 / len(axes), zorder=1, **style)
+                drawn = True
+    return drawn
 
 
-def estimate_text(sensor, term):
-    text = f"{term['term']}  {figures(term['value'], 3)} {term['unit']}".strip()
-    familiar = FAMILIAR.get((sensor, term["term"]))
-    if familiar and term["unit"].startswith(UNITS[sensor]):
-        text += f"  ({figures(term['value'] / familiar[0], 3)} {familiar[1]})"
-    return text
+def frequencies(finding):
+    return (finding.start, math.inf if finding.kind == "unused" else finding.end)
 
 
-def missing_text(terms):
-    """The limits of the terms that were not found, two lines if they are all."""
-    texts = [f"{name} < {figures(terms[name]['value'], 2)} {terms[name]['unit']}".strip()
-             for name in LINES if name in terms and terms[name]["detected"] == "0"]
-    if len(texts) > 3:
-        texts[2] = "\n" + texts[2]
-    return "not detected (95 %):  " + ",  ".join(texts).replace(",  \n", ",\n") if texts else ""
+def times(finding):
+    """What has the frequency f shows in the deviation at about 1/(2f)."""
+    low, high = frequencies(finding)
+    return 1 / (2 * high), 1 / (2 * low) if low > 0 else math.inf
 
 
-def limits_of(axes, detected):
-    """The window: all of the curves, and of the points where coefficients are read what is near."""
-    taus = [tau for axis in axes.values() for tau in axis[0]]
-    lows = [max(low, deviation / 3) for axis in axes.values() for deviation, low in zip(axis[1], axis[2])]
-    highs = [min(high, deviation * 3) for axis in axes.values() for deviation, high in zip(axis[1], axis[3])]
-    left, right, bottom, top = min(taus), max(taus), min(lows), max(highs)
-    floor = bottom / 1000
-    for term in detected:
-        factor, slope = LINES[term["term"]]
-        value = term["value"] if slope else factor * term["value"]
-        if value >= floor:
-            bottom = min(bottom, value)
-        top = max(top, min(value, 10 * top))
-    margin = (right / left) ** 0.03
-    return left / margin, right * margin, bottom / 10**0.35, top * 10**0.2
+def was_fitted(tau, findings, axis):
+    import numpy
+    unused = of_axis(findings, axis, "unused")
+    fitted = tau >= max((1 / (2 * finding.start) for finding in unused if finding.start > 0), default=0) * (1 - 1e-9)
+    for finding in of_axis(findings, axis, "misfit"):
+        fitted &= ~((tau >= finding.start * (1 - 1e-9)) & (tau <= finding.end * (1 + 1e-9)))
+    return fitted & numpy.isfinite(tau)
 
 
-def draw_terms(plot, sensor, detected, window):
-    """Their lines, and their labels, which are returned."""
-    left, right, bottom, top = window
-    labels = []
-    for term in detected:
-        factor, slope = LINES[term["term"]]
-        value = term["value"]
-        plot.plot([left, right], [factor * value * left**slope, factor * value * right**slope], color=GUIDE, linewidth=0.9,
-                  linestyle=DOTTED, zorder=1.5)
-        at, height = (factor ** (-1 / slope), value) if slope else (left, factor * value)
-        if slope and left < at < right and bottom < height < top:
-            plot.plot([at], [height], "o", color="black", markersize=5, zorder=5)
-        elif slope:
-            # Where the line is low in the window.
-            height = bottom * (top / bottom) ** 0.2
-            at = min(max((height / (factor * value)) ** (1 / slope), left), right)
-            height = factor * value * at**slope
-        label = plot.annotate(estimate_text(sensor, term), (at, height), textcoords="offset points", xytext=(0, 0), zorder=6,
-                              bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "alpha": 0.8, "linewidth": 0})
-        label.sides = SIDES[term["term"]]
-        labels.append(label)
-    return labels
+def draw_scales(plot, window, x_label, y_label):
+    import matplotlib.ticker
+    plot.set_axis_on()
+    plot.set(xscale="log", yscale="log", xlim=window[:2], ylim=window[2:])
+    plot.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
+    plot.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+    plot.set_xlabel(x_label)
+    plot.set_ylabel(y_label)
+    plot.grid(True, which="major", color="0.82", linewidth=0.8)
+    plot.grid(True, which="minor", color="0.92", linewidth=0.5)
+    plot.set_axisbelow(True)
 
 
-def place_labels(plot, labels, points):
-    """Each label on the side of its point where it covers no other label, stays inside and hides the least curve."""
-    points = plot.transData.transform(points)
-    taken = []
-
-    def stand(label, side):
-        up, right = side.startswith("upper"), side.endswith("right")
-        label.set(position=(7 if right else -7, 3 if up else -3))
-        label.set(ha="left" if right else "right", va="bottom" if up else "top")
-        return label.get_window_extent().padded(5)
-
-    def cost(label, side):
-        box = stand(label, side)
-        outside = not (plot.bbox.x0 < box.x0 and box.x1 < plot.bbox.x1 and plot.bbox.y0 < box.y0 and box.y1 < plot.bbox.y1)
-        shared = (box.intersection(box, other) for other in taken)
-        covered = sum(part.width * part.height for part in shared if part)
-        return 1e6 * outside + covered + 50 * sum(box.contains(*point) for point in points)
-
-    for label in labels:
-        taken.append(stand(label, min(label.sides, key=lambda side: cost(label, side))))
+def draw_deviation(plot, sensor, axes, noise, findings, style):
+    """Returns the labels of terms with the points that they should not hide, and which kinds of spans are there."""
+    terms = shared_terms(noise)
+    detected = detected_terms(terms)
+    window = limits_of(axes, detected)
+    unit = UNITS.get(sensor) or next((term["B"].unit for term in noise.values() if "B" in term), "")
+    draw_scales(plot, window, "averaging time τ (s)", f"Allan deviation ({unit})" if unit else "Allan deviation")
+    for axis, (tau, deviation, lower, upper, _) in axes.items():
+        draw_values(plot, tau, deviation, lower, upper, style.colours[axis])
+    draw_models(plot, {axis: (values[0], values[4], was_fitted(values[0], findings, axis))
+                       for axis, values in axes.items()}, style)
+    shaded = {"left out": shade(plot, axes, findings, ["excluded", "unused"], times, LEFT_OUT),
+              "misfit": shade(plot, axes, findings, ["misfit"], lambda finding: (finding.start, finding.end), MISFIT)}
+    points = [(row[0], value) for values in axes.values() for row in values.T for value in row[1:4]]
+    return draw_terms(plot, sensor, detected, window), points, shaded
 
 
-def draw(curves, noise):
-    import matplotlib.figure
+def draw_spectrum(plot, axes, noise, findings, style):
+    import numpy
+    every = numpy.concatenate(list(axes.values()), axis=1)
+    frequency, density, lower, upper = every[:4]
+    # A few uncertain values far down are nothing to look at.
+    bottom = min(numpy.percentile(density, 5), lower.min(where=upper < 2 * lower, initial=math.inf))
+    margin = max((frequency.max() / frequency.min()) ** 0.03, 1.1)
+    unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
+    top = numpy.minimum(upper, density * 3).max()
+    # At least two decades, because powers of ten have labels.
+    middle, half = math.sqrt(bottom * top), max(1.4 * math.sqrt(top / bottom), 10)
+    window = frequency.min() / margin, frequency.max() * margin, middle / half, middle * half
+    draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
+    for axis, (x, y, lower, upper, _, _) in axes.items():
+        draw_values(plot, x, y, lower, upper, style.colours[axis])
+    draw_models(plot, {axis: (values[0], values[4], values[5] > 0) for axis, values in axes.items()}, style)
+    return shade(plot, axes, findings, ["excluded", "unused"], frequencies, LEFT_OUT)
+
+
+def together(axes, style, text_of):
+    """Axes that have the same text in one: "x, y: text"."""
+    groups = {}
+    for axis in axes:
+        if text := text_of(axis):
+            groups.setdefault(text, []).append(style.labels[axis])
+    return ["all axes: " + text if len(names) == len(axes) > 1 else f"{', '.join(names)}: {text}"
+            for text, names in groups.items()]
+
+
+def findings_text(kind, found):
+    if not found:
+        return ""
+    if kind == "unused":
+        return unbroken(f"left out above {found[0].start:.4g} Hz")
+    one, many, unit = WORDS[kind]
+    digits = 4 if unit == "Hz" else 6
+    if len(found) > 2:
+        return f"{len(found)} {many}, the first at {found[0].start:.{digits}g} {unit}"
+    spans = [f"{finding.start:.{digits}g}" + (f" … {finding.end:.{digits}g}" if finding.end > finding.start else "")
+             for finding in found]
+    return unbroken(f"{one} {' and '.join(spans)} {unit}")
+
+
+def notes_of(axes, noise, findings, style, width):
+    """Lines over a panel, each with its colour."""
+    adequacy = {axis: next(iter(terms.values())).adequacy for axis, terms in noise.items()}
+
+    def text_of(axis):
+        texts = ["described in part"] if adequacy.get(axis) == "partial" else []
+        texts += [findings_text(kind, of_axis(findings, axis, kind)) for kind in ["unused", *WORDS]]
+        return ", ".join(filter(None, texts))
+
+    warnings = together(axes, style,
+                        lambda axis: "model does not describe it" if adequacy.get(axis) == "inadequate" else "")
+    lines = [("; ".join(warnings), WARNING), ("; ".join(together(axes, style, text_of)), NOTE)]
+    lines += [(text, NOTE) for text in shared_notes(shared_terms(noise))]
+    return [(part, colour) for text, colour in lines
+            for part in textwrap.wrap(text, width, max_lines=2, placeholder=" …")]
+
+
+def legend_entries(style, shaded, models, terms):
     import matplotlib.lines
     import matplotlib.patches
-    import matplotlib.ticker
+    line, patch = matplotlib.lines.Line2D, matplotlib.patches.Patch
+    entries = [line([], [], color=style.colours[name], label=style.labels[name], **CURVE) for name in style.colours]
+    entries.append(patch(color="0.5", alpha=0.35, linewidth=0, label="68 % interval"))
+    if models:
+        label = "model, pale where not fitted" if any(shaded.values()) else "model"
+        entries.append(line([], [], color=ALL, label=label, **MODEL))
+    if terms:
+        entries.append(line([], [], color=GUIDE, linewidth=0.9, linestyle=DOTTED, marker="o", markersize=5,
+                            markerfacecolor="black", markeredgecolor="black", label="its terms, read at the dot"))
+    for name, label, style in (("left out", "left out", LEFT_OUT), ("misfit", "model and curve disagree", MISFIT)):
+        if shaded[name]:
+            entries.append(patch(alpha=0.25, label=label, **style))
+    return entries
 
-    def line(**style):
-        return matplotlib.lines.Line2D([], [], **style)
 
-    count = len(curves)
-    figure = matplotlib.figure.Figure(figsize=(12.8 if count > 1 else 8.5, 6.2), dpi=125, layout="constrained")
-    names = list(dict.fromkeys(axis for axes in curves.values() for axis in axes))
-    notes = {sensor: missing_text(noise.get(sensor, {})) for sensor in curves}
-    note_lines = max(note.count("\n") + bool(note) for note in notes.values())
-    labelled = []
-    for plot, (sensor, axes) in zip(figure.subplots(1, count, squeeze=False)[0], curves.items()):
-        terms = noise.get(sensor, {})
-        detected = [terms[name] for name in LINES if name in terms and terms[name]["detected"] == "1"]
-        window = limits_of(axes, detected)
-        fits = {}
-        for name, (tau, deviation, lower, upper, fitted) in axes.items():
-            colour = COLOURS[names.index(name) % len(COLOURS)]
-            plot.fill_between(tau, lower, upper, color=colour, alpha=0.2, linewidth=0, zorder=2)
-            plot.plot(tau, deviation, color=colour, linewidth=1.8, zorder=3)
-            fits[fitted] = tau
-        for fitted, tau in fits.items():  # one, if the model is that of all axes
-            plot.plot(tau, fitted, color="black", linewidth=1.3, linestyle="--", zorder=4)
-        plot.set(xscale="log", yscale="log", xlim=window[:2], ylim=window[2:])
-        points = [(row[0], value) for axis in axes.values() for row in zip(*axis) for value in row[1:4]]
-        labelled.append((plot, draw_terms(plot, sensor, detected, window), points))
+def layout(curves, spectrum, tables):
+    """A figure, and of each sensor its panels from above: the deviation, the spectrum and the table, if there is one."""
+    import matplotlib.figure
+    heights = [4.6]
+    if any(spectrum.values()):
+        heights.append(2.1)
+    if tables:
+        heights.append(0.2 * (2 + max(map(len, tables.values()))))
+    size = 12.8 if len(curves) > 1 else 8.5, 1.6 + sum(heights)
+    figure = matplotlib.figure.Figure(figsize=size, dpi=125, layout="constrained")
+    grid = figure.subplots(len(heights), len(curves), squeeze=False, gridspec_kw={"height_ratios": heights})
+    for panel in grid[1:].flat:
+        panel.set_axis_off()  # until it is drawn
+    return figure, dict(zip(curves, grid.T))
 
-        plot.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-        plot.set_xlabel("averaging time τ (s)")
-        unit = UNITS.get(sensor) or (terms["B"]["unit"] if "B" in terms else "")
-        plot.set_ylabel(f"Allan deviation ({unit})" if unit else "Allan deviation")
-        plot.grid(True, which="major", color="0.82", linewidth=0.8)
-        plot.grid(True, which="minor", color="0.92", linewidth=0.5)
-        plot.set_axisbelow(True)
-        plot.set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + 12 * note_lines)
-        plot.annotate(notes[sensor], (0, 1), xycoords="axes fraction", xytext=(0, 5), textcoords="offset points",
-                      fontsize=8.5, color="0.3")
 
-    entries = [line(color=COLOURS[i % len(COLOURS)], linewidth=1.8, label=name if name.isalpha() else f"column {name}")
-               for i, name in enumerate(names)]
-    entries.append(matplotlib.patches.Patch(color="0.5", alpha=0.35, linewidth=0, label="68 % interval"))
-    if any(math.isfinite(value) for axes in curves.values() for axis in axes.values() for value in axis[4]):
-        entries.append(line(color="black", linewidth=1.3, linestyle="--", label="identified model"))
-    if any(term["detected"] == "1" for terms in noise.values() for term in terms.values()):
-        entries.append(line(color=GUIDE, linewidth=0.9, linestyle=DOTTED, marker="o", markersize=5, markerfacecolor="black",
-                            markeredgecolor="black", label="its terms, read at the dot"))
-    figure.legend(handles=entries, loc="outside lower center", ncols=len(entries), frameon=False)
+def write_notes(plot, sensor, notes, height):
+    """The title of a panel, with room for so many lines, and the lines."""
+    plot.set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + NOTE_HEIGHT * height)
+    for i, (text, colour) in enumerate(notes, 1):
+        plot.annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + NOTE_HEIGHT * (height - i)),
+                      textcoords="offset points", fontsize=9.5, color=colour, parse_math=False, in_layout=False)
+
+
+def draw(curves, noise, spectrum, title, findings):
+    import numpy
+    style = Style(list(dict.fromkeys(axis for axes in curves.values() for axis in axes)))
+    tables = {sensor: {axis: terms for axis, terms in noise[sensor].items() if axis in curves[sensor]}
+              for sensor in curves if noise.get(sensor) and not shared_terms(noise[sensor])}
+    figure, panels = layout(curves, spectrum, tables)
+    notes = {sensor: notes_of(axes, noise.get(sensor, {}), findings.get(sensor, []), style, 78 if len(curves) > 1 else 105)
+             for sensor, axes in curves.items()}
+    labelled, shaded = [], {"left out": False, "misfit": False}
+    for sensor, axes in curves.items():
+        terms, found = noise.get(sensor, {}), findings.get(sensor, [])
+        deviation, *others = panels[sensor]
+        labels, points, there = draw_deviation(deviation, sensor, axes, terms, found, style)
+        labelled.append((deviation, labels, points))
+        write_notes(deviation, sensor, notes[sensor], max(map(len, notes.values())))
+        if spectrum.get(sensor):
+            there["left out"] |= draw_spectrum(others[0], spectrum[sensor], terms, found, style)
+        if sensor in tables:
+            draw_table(others[-1], sensor, tables[sensor], style.colours, style.labels)
+        shaded = {name: shaded[name] or there[name] for name in shaded}
+
+    models = any(numpy.isfinite(values[4]).any() for axes in curves.values() for values in axes.values())
+    entries = legend_entries(style, shaded, models, any(labels for _, labels, _ in labelled))
+    rows = math.ceil(len(entries) / (9 if len(curves) > 1 else 5))
+    figure.legend(handles=entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows), frameon=False)
+    if title:
+        figure.suptitle(textwrap.shorten(title, 110, placeholder=" …"), x=0.01, ha="left", fontsize=12, parse_math=False)
     figure.draw_without_rendering()  # now everything has its size
     for plot, labels, points in labelled:
         place_labels(plot, labels, points)
     return figure
 
 
+def draw_folder(folder):
+    return draw(read_curves(folder / "curves.csv"), read_noise(folder / "noise.csv"),
+                read_spectrum(folder / "spectrum.csv"), *read_findings(folder / "findings.csv"))
+
+
 if __name__ == "__main__":
-    plotting.run_on_folder(__doc__, "with curves.csv and noise.csv, where the pictures go", "allan",
-                           lambda folder: draw(read_curves(folder / "curves.csv"), read_noise(folder / "noise.csv")))
+    plotting.run_on_folder(__doc__, "with the csv files of allan, where the pictures go", "allan", draw_folder)

@@ -184,7 +184,7 @@ write_python("case $1 in
 esac")
 run(0 "3001 samples.*wrote allan.png and allan.svg to" "${out}/${name}" --topic "/imu 0" --python "${out}/python" --output "${out}/a folder")
 expect_same("${out}/a folder/allan.png" "${out}/euroc/curves.csv")
-foreach(script IN ITEMS imu_bag.py plot_allan.py)
+foreach(script IN ITEMS imu_bag.py plot_allan.py plot_allan_files.py plot_allan_terms.py)
   if(NOT EXISTS "${programs}/${script}")
     message(FATAL_ERROR "${script} is not beside the program")
   endif()
