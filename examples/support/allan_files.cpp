@@ -64,8 +64,9 @@ void write_noise(AtomicFile& file, const LogNoise& noise) {
         file.append(
             message(sensor_name(sensor.kind), ',', row.name, ',', symbol(term), ',', estimate.detected ? 1 : 0));
         const bool holds = row.adequacy != Adequacy::inadequate;
-        write_reals(file, {estimate.value, holds ? estimate.interval.lower : nan, holds ? estimate.interval.upper : nan,
-                           holds ? estimate.standard_error() : nan});
+        const bool disturbed = row.disturbed && estimate.possible;
+        write_reals(file, {disturbed ? nan : estimate.value, holds ? estimate.interval.lower : nan,
+                           holds ? estimate.interval.upper : nan, holds ? estimate.standard_error() : nan});
         file.append(message(',', unit_of(term, sensor.kind)));
         if (timed) {
           const auto& with_time = term == NoiseTerm::warm_up ? row.noise->W : row.noise->G;

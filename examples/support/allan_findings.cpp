@@ -52,7 +52,7 @@ class Findings {
       if (all_.size() > most) break;
     }
     if (!analysis_.steps.empty()) {
-      all_.push_back({"step", 0, 0, "s", "a step looks like a walk: no slow term is reported as detected", true});
+      all_.push_back({"withheld", 0, 0, "", "a step looks like a walk: no slow term is reported as detected", true});
     }
   }
 
