@@ -205,7 +205,6 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
     if (sensor.axes.empty()) continue;
     try {
       check_unit(sensor, unit.has_value(), log);
-      check_alive(sensor);
     } catch (const std::exception& error) {
       throw std::runtime_error(message(sensor.path, ": ", error.what()));
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <splinertia/allan/freezes.hpp>
 #include <splinertia/allan/unit_check.hpp>
 #include <splinertia/imu/error_term.hpp>
 #include <splinertia/message.hpp>
@@ -70,13 +69,5 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
     case AccelerometerMean::unclear:
       say(false, message(found, "it moves, is not calibrated, or is in another unit"));
       break;
-  }
-}
-
-void check_alive(const SensorLog& sensor) {
-  for (const AxisLog& axis : sensor.axes) {
-    if (!allan::is_constant(axis.values)) continue;
-    throw std::runtime_error(message(sensor_name(sensor.kind), ' ', axis.name, ": all samples are ",
-                                     axis.values.front(), ": a dead axis, leave it out with - in --columns"));
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readings of a static log give away of their units, and whether there are any.
+// What the readings of a static log give away of their units.
 #pragma once
 
 #include "support/imu_log.hpp"
@@ -7,6 +7,3 @@
 /// Adds the unit of a sensor to `log.units`, and a warning if the mean of the sensor looks like another unit. Throws
 /// std::runtime_error instead where that is sure and the unit has not been given.
 void check_unit(const SensorLog& sensor, bool given, ImuLog& log);
-
-/// Throws std::runtime_error for an axis that never changes.
-void check_alive(const SensorLog& sensor);

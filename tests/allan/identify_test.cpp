@@ -233,7 +233,9 @@ TEST_CASE("Three axes that are alike have errors smaller by the root of three") 
     CHECK((pooled[term].detected || pooled[term].possible));
     CHECK_THAT(pooled[term].value, WithinAbs(single[term].value, single[term].standard_error() / 10));
     const double half = (pooled[term].one_sigma.upper - pooled[term].value) * std::sqrt(3.0);
-    CHECK_THAT(half, WithinRel(single[term].one_sigma.upper - single[term].value, 0.05));
+    // That of a walk is over all descriptions that pay for themselves, which are others.
+    const double tolerance = term == NoiseTerm::random_walk ? 0.25 : 0.05;
+    CHECK_THAT(half, WithinRel(single[term].one_sigma.upper - single[term].value, tolerance));
   }
   auto turned = y;
   for (double& value : turned) value = 9.81 - value;
@@ -257,7 +259,8 @@ TEST_CASE("Results scale with the signal and the rate") {
     check_scaled(estimates, identify(scaled, 1.0), std::vector<double>(5, factor), 1e-5);
   }
   const double root = std::sqrt(1000.0);
-  check_scaled(estimates, identify(y, 1000.0), {1 / root, root, 1, 1e-3, 1e3}, 1e-9);
+  // Ends of intervals are found to 1e-5 of their distance.
+  check_scaled(estimates, identify(y, 1000.0), {1 / root, root, 1, 1e-3, 1e3}, 1e-6);
 }
 
 TEST_CASE("The mean of the signal does not matter") {

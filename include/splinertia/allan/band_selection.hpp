@@ -93,19 +93,25 @@ class BandSelection {
   }
 
  private:
-  /// Bins with more than twice the power of half an octave about them, by the median, and by eight standard deviations.
+  /// Bins with more than twice the power of what is within a quarter of their frequency, by the median, and by eight
+  /// standard deviations.
   void leave_out_lines() {
-    constexpr std::size_t about = 16;
+    constexpr std::size_t fewest = 5;
     constexpr int most_deviations = 8;
+    const auto& bins = spectrum_.bins();
     std::vector<Scalar> power;
-    for (const auto& bin : spectrum_.bins()) power.push_back(bin.power / (bin.count * bin.basis[0]));
+    for (const auto& bin : bins) power.push_back(bin.power / (bin.count * bin.basis[0]));
+    std::size_t begin = 0, end = 0;
     for (std::size_t i = 0; i < power.size(); ++i) {
-      std::vector<Scalar> near(power.begin() + static_cast<std::ptrdiff_t>(i > about ? i - about : 0),
-                               power.begin() + static_cast<std::ptrdiff_t>(std::min(i + about + 1, power.size())));
+      while (5 * bins[begin].frequency < 4 * bins[i].frequency) ++begin;
+      while (end < bins.size() && 4 * bins[end].frequency <= 5 * bins[i].frequency) ++end;
+      if (end - begin < fewest) continue;
+      std::vector<Scalar> near(power.begin() + static_cast<std::ptrdiff_t>(begin),
+                               power.begin() + static_cast<std::ptrdiff_t>(end));
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
       std::nth_element(near.begin(), middle, near.end());
       // The cube root of a mean of squares is all but normal (FitBands); its median is that of the mean but for this.
-      const Scalar variance = 2 / (9 * spectrum_.bins()[i].count);
+      const Scalar variance = 2 / (9 * bins[i].count);
       const Scalar ratio = power[i] / *middle * (1 - 3 * variance);
       if (ratio > 2 && std::cbrt(ratio) > 1 - variance + most_deviations * std::sqrt(variance)) included_[i] = false;
     }

@@ -111,6 +111,7 @@ class ProfileLikelihood {
     const Scalar centre = inside;
     Scalar below = off(inside), above = off(outside);
     if (!(below < 0)) return inside;
+    if (!(above > 0)) return outside;
     int side = 0;
     for (int i = 0; i < 40; ++i) {
       const Scalar width = outside - inside;
