@@ -3,11 +3,16 @@
 /// alone.
 #pragma once
 
+#include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/deviation_misfit.hpp>
 #include <splinertia/allan/expected_accuracy.hpp>
 #include <splinertia/allan/fit_curve.hpp>
+#include <splinertia/allan/freezes.hpp>
 #include <splinertia/allan/identify.hpp>
+#include <splinertia/allan/resolution.hpp>
 #include <splinertia/allan/sampling.hpp>
+#include <splinertia/allan/steps.hpp>
 #include <splinertia/allan/stillness.hpp>
 #include <splinertia/allan/streaming.hpp>
 #include <splinertia/allan/unit_check.hpp>
