@@ -115,7 +115,8 @@ class GaussMarkov(Part):
     def __init__(self, deviation, time):
         """Standard deviation and correlation time [s]."""
         self.deviation, self.time = deviation, time
-        self.truth = {"sigma": deviation, "tau": time}
+        # Over times shorter than its own it is a walk: where a log cannot tell the two apart, K is that of this walk.
+        self.truth = {"sigma": deviation, "tau": time, "K": deviation * math.sqrt(2 / time)}
 
     def signal(self, generator, grid):
         return gauss_markov(generator, grid.samples, self.deviation, math.exp(-1 / (self.time * grid.rate)))
@@ -238,6 +239,10 @@ class Ramp(Trend):
 
 
 class WarmUp(Trend):
+    def __init__(self, height):
+        super().__init__(height)
+        self.truth = {"W": height, "settling": 600}
+
     def shape(self, grid):
         return np.exp(-grid.time / 600)
 

@@ -107,13 +107,16 @@ std::vector<Field> fields(const Analysis& analysis) {
     add("one_sigma_lower", estimate.one_sigma.lower);
     add("one_sigma_upper", estimate.one_sigma.upper);
   }
-  const auto& bias = analysis.noise.G;
-  result.push_back({"tau_detected", bias.detected ? 1.0 : 0.0});
-  result.push_back({"tau_value", bias.time});
-  result.push_back({"tau_lower", bias.time_interval.lower});
-  result.push_back({"tau_upper", bias.time_interval.upper});
-  result.push_back({"tau_one_sigma_lower", bias.time});
-  result.push_back({"tau_one_sigma_upper", bias.time});
+  const auto add_time = [&](const std::string& name, const allan::TimedEstimate<double>& estimate) {
+    result.push_back({name + "_detected", estimate.detected ? 1.0 : 0.0});
+    result.push_back({name + "_value", estimate.time});
+    result.push_back({name + "_lower", estimate.time_interval.lower});
+    result.push_back({name + "_upper", estimate.time_interval.upper});
+    result.push_back({name + "_one_sigma_lower", estimate.time});
+    result.push_back({name + "_one_sigma_upper", estimate.time});
+  };
+  add_time("tau", analysis.noise.G);
+  add_time("settling", analysis.noise.W);
   result.push_back({"adequacy", static_cast<double>(analysis.adequacy)});
   result.push_back({"descriptions", static_cast<double>(analysis.noise.descriptions.size())});
   result.push_back({"fits", analysis.noise.fits ? 1.0 : 0.0});

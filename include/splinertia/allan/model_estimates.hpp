@@ -175,17 +175,20 @@ class ModelEstimates {
     if (term == NoiseTerm::quantization) return true;
     const bool trend = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up;
     return std::none_of(result.excluded.begin(), result.excluded.end(), [&](const BandFit<Scalar>& band) {
-      return band.ratio > 1 && (trend || band.frequencies.lower < 2 * highest_slow_frequency());
+      return band.ratio > 1 && (trend || band.frequencies.lower < 4 * highest_slow_frequency());
     });
   }
 
-  /// Up to where slow terms make up more than a third of the power, Hz.
+  /// Up to where slow terms make up more than a third of the power, or to the corner of a Gauss–Markov bias, Hz.
   [[nodiscard]] Scalar highest_slow_frequency() const {
     const auto& best = selection_.best();
+    const Scalar corner = best.terms.has(NoiseTerm::gauss_markov)
+                              ? 1 / (2 * std::numbers::pi_v<Scalar> * best.result.times.correlation)
+                              : Scalar(0);
     const auto all = selection_.likelihood().fit().compare(best.result, has_trend(best.terms));
     std::size_t end = 0;
     while (end < all.size() && all[end].expected > all[end].white * 3 / 2) ++end;
-    return end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0);
+    return std::max(corner, end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0));
   }
 
   /// Widens an estimate by what one description says; the first also says the value.
@@ -200,7 +203,8 @@ class ModelEstimates {
       }
     };
     const auto interval_at = [&](Scalar confidence) -> Interval<Scalar> {
-      if (term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up) return trend_interval(term, model, confidence);
+      if (term == NoiseTerm::rate_ramp) return trend_interval(term, model, confidence);
+      if (term == NoiseTerm::warm_up) return warm_up_interval(model, profile, confidence);
       if (term == NoiseTerm::gauss_markov && !walk_like) {
         const auto root = profile.gauss_markov_root(confidence);
         return {in_units(term, root.lower), in_units(term, root.upper)};
@@ -251,6 +255,23 @@ class ModelEstimates {
     const Scalar half = quantile / std::sqrt(count) * best.slope_error;
     return {trend_in_units(term, std::max(centre - half, Scalar(0)), model.result),
             trend_in_units(term, centre + half, model.result)};
+  }
+
+  /// A height depends on the decay time, which has an interval of its own: so far as heights go over that.
+  [[nodiscard]] Interval<Scalar> warm_up_interval(const Model& model, const ProfileLikelihood<Scalar>& profile,
+                                                  Scalar confidence) const {
+    using Times = typename Fit::Times;
+    const auto& likelihood = selection_.likelihood();
+    Interval<Scalar> whole = trend_interval(NoiseTerm::warm_up, model, confidence);
+    const auto range = profile.time(&Times::decay, likelihood.decay_times(), confidence);
+    for (const Scalar decay : {range.lower, range.upper}) {
+      Times times = model.result.times;
+      times.decay = decay;
+      const Result at = likelihood.at(model.terms, times, model.result);
+      const Scalar height = trend_in_units(NoiseTerm::warm_up, trend_size(at), at);
+      whole = {std::min(whole.lower, height), std::max(whole.upper, height)};
+    }
+    return whole;
   }
 
   const ModelSelection<Scalar>& selection_;
