@@ -44,8 +44,9 @@ void print_table(const SensorNoise& sensor, const LogNoise& noise) {
                       : "not determined: see below            ";
       }
       const bool value = estimate.detected || (estimate.possible && holds && !row.disturbed);
+      const bool limit = holds && !estimate.detected && !(estimate.possible && row.disturbed);
       const std::string sheet =
-          value || holds ? data_sheet_text(term, sensor.kind, value ? estimate.value : estimate.interval.upper) : "";
+          value || limit ? data_sheet_text(term, sensor.kind, value ? estimate.value : estimate.interval.upper) : "";
       std::printf("%-22s %-4s %-37s %-18s%s%s\n", label.c_str(), row.name.c_str(), found.c_str(),
                   unit_of(term, sensor.kind).c_str(), value || sheet.empty() ? "  " : "< ", sheet.c_str());
       label.clear();
@@ -59,9 +60,12 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
   for (const NoiseTerm term : allan::noise_terms) {
     if (!noise.options.candidates.has(term)) continue;
     const Estimate& estimate = (*row.noise)[term];
-    const double time = term == NoiseTerm::warm_up ? row.noise->W.time : row.noise->G.time;
+    const auto& timed = term == NoiseTerm::warm_up ? row.noise->W : row.noise->G;
     if (estimate.detected) {
-      std::string text = meaning(term, sensor.kind, sensor.rate, estimate.value, time);
+      std::string text = meaning(term, sensor.kind, sensor.rate, estimate.value, timed.time);
+      if (is_timed(term)) {
+        text += formatted(" (the time is %.3g ... %.3g s)", timed.time_interval.lower, timed.time_interval.upper);
+      }
       if (term == NoiseTerm::random_walk) {
         text +=
             formatted("; it may be bounded, if it forgets in no less than %.3g s", row.noise->least_correlation_time);
@@ -75,7 +79,7 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
     std::printf("%s: not detected in %s: %s\n", who.c_str(), duration_text(sensor.duration).c_str(),
                 list_of(missing).c_str());
   }
-  if (row.noise->fits) {
+  if (row.noise->fits && row.adequacy != Adequacy::inadequate) {
     std::printf("%s: what is used agrees with these terms (goodness of fit: p = %.2g)\n", who.c_str(),
                 row.noise->fit_probability);
   }
