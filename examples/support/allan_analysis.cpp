@@ -61,6 +61,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
                       sensor.rate,
                       static_cast<double>(sensor.samples) / sensor.rate,
                       std::vector<AxisNoise>(sensor.axes.size()),
+                      {},
                       {}};
     std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
     for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
@@ -76,6 +77,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
     std::vector<allan::DifferenceSpectrum<double>> spectra;
     for (auto& spectrum : found) spectra.push_back(std::move(*spectrum));
     noise.pooled = named(sensor, "", [&] { return pooled(noise, spectra, options); });
+    if (noise.pooled) noise.pooled_finding = descriptions_finding(*noise.pooled, sensor.kind);
     result.sensors.push_back(std::move(noise));
   }
   return result;

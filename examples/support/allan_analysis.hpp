@@ -26,6 +26,7 @@ struct SensorNoise {
   std::vector<AxisNoise> axes;
   /// Of all axes together: only of several that agree, each of which is described by its terms.
   std::optional<splinertia::allan::NoiseEstimates<double>> pooled;
+  std::optional<Finding> pooled_finding;  ///< what cannot be told apart of all axes together
 
   /// The estimates that there are, with the name of their axis, or "all".
   struct Row {

@@ -115,12 +115,14 @@ void write_findings(AtomicFile& file, const LogNoise& noise) {
                 quoted(formatted("%s, %.6g Hz, %s", std::filesystem::path(noise.log).filename().c_str(), sensor.rate,
                                  duration_text(sensor.duration).c_str())) +
                 '\n');
+    const auto write = [&](const std::string& axis, const Finding& finding) {
+      file.append(message(name, ',', axis, ',', finding.kind));
+      write_reals(file, {finding.from, finding.to});
+      file.append(',' + finding.unit + ',' + quoted(finding.text) + '\n');
+    };
+    if (sensor.pooled_finding) write("all", *sensor.pooled_finding);
     for (const AxisNoise& axis : sensor.axes) {
-      for (const Finding& finding : axis.findings) {
-        file.append(message(name, ',', axis.name, ',', finding.kind));
-        write_reals(file, {finding.from, finding.to});
-        file.append(',' + finding.unit + ',' + quoted(finding.text) + '\n');
-      }
+      for (const Finding& finding : axis.findings) write(std::string(1, axis.name), finding);
     }
   }
 }
@@ -185,9 +187,10 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
     };
     take(NoiseTerm::white, "noise_density", gyro ? result.imu.gyro_noise_density : result.imu.accel_noise_density);
     take(NoiseTerm::random_walk, "random_walk", gyro ? result.imu.gyro_random_walk : result.imu.accel_random_walk);
+    if (sensor.pooled_finding) below.push_back(message(sensor_text, ": ", sensor.pooled_finding->text));
     for (const AxisNoise& axis : sensor.axes) {
       for (const Finding& finding : axis.findings) {
-        if (finding.warning || finding.kind == "descriptions") {
+        if (finding.warning || (finding.kind == "descriptions" && !sensor.pooled)) {
           below.push_back(message(finding.warning ? "WARNING " : "", sensor_text, ' ', axis.name, ": ", finding.text));
         }
       }

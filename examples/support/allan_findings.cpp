@@ -160,16 +160,7 @@ class Findings {
       all_.push_back(
           {"descriptions", 0, 0, "", "the warm-up may be no more than the ends of a line that is left out", false});
     }
-    if (noise_.descriptions.size() < 2) return;
-    std::vector<std::string> texts;
-    for (const auto& description : noise_.descriptions) {
-      std::string text = slow_terms_text(description, kind_);
-      if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(std::move(text));
-    }
-    if (texts.size() < 2) return;
-    std::string list;
-    for (const std::string& text : texts) list += (list.empty() ? "" : "; or ") + text;
-    all_.push_back({"descriptions", 0, 0, "", "cannot be told apart in this log: " + list, false});
+    if (const auto finding = descriptions_finding(noise_, kind_)) all_.push_back(*finding);
   }
 
   const allan::Analysis<double>& analysis_;
@@ -181,6 +172,18 @@ class Findings {
 };
 
 }  // namespace
+
+std::optional<Finding> descriptions_finding(const allan::NoiseEstimates<double>& noise, SensorKind kind) {
+  std::vector<std::string> texts;
+  for (const auto& description : noise.descriptions) {
+    std::string text = slow_terms_text(description, kind);
+    if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(std::move(text));
+  }
+  if (texts.size() < 2) return std::nullopt;
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : "; or ") + text;
+  return Finding{"descriptions", 0, 0, "", "cannot be told apart in this log: " + list, false};
+}
 
 std::vector<Finding> findings_of(const allan::Analysis<double>& analysis, const SensorLog& sensor) {
   return Findings(analysis, sensor).all();

@@ -2,6 +2,7 @@
 // What is wrong with a log, or with what was made of it, in words.
 #pragma once
 
+#include <optional>
 #include <splinertia/allan/analysis.hpp>
 #include <string>
 #include <vector>
@@ -17,6 +18,10 @@ struct Finding {
   std::string text;  ///< one sentence, without the axis
   bool warning;      ///< what is reported does not hold, or holds without this only
 };
+
+/// That descriptions cannot be told apart, if there are several.
+[[nodiscard]] std::optional<Finding> descriptions_finding(const splinertia::allan::NoiseEstimates<double>& noise,
+                                                          splinertia::SensorKind kind);
 
 /// Of one axis of this sensor.
 [[nodiscard]] std::vector<Finding> findings_of(const splinertia::allan::Analysis<double>& analysis,

@@ -95,8 +95,12 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
     std::puts(sensor.pooled ? "the axes agree"
                             : "the axes differ, or are not all described by their terms: none stands for all");
   }
+  if (sensor.pooled_finding) std::printf("all axes: %s\n", sensor.pooled_finding->text.c_str());
   for (const AxisNoise& axis : sensor.axes) {
-    for (const Finding& finding : axis.findings) std::printf("%c: %s\n", axis.name, finding.text.c_str());
+    for (const Finding& finding : axis.findings) {
+      if (sensor.pooled && finding.kind == "descriptions") continue;  // all together tell more
+      std::printf("%c: %s\n", axis.name, finding.text.c_str());
+    }
   }
 }
 

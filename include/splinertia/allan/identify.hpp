@@ -73,8 +73,7 @@ class Identification {
     const std::size_t end = bands_.used_end();
     const bool all = end == spectrum_.bins().size() || spectrum_.bins()[end].frequency > highest_;
     result.highest_frequency = all ? highest_ : spectrum_.bins()[end - 1].frequency;
-    const Model& best = selection_->best();
-    const FitBands<Scalar> fit(*fit_, best.result, has_trend(best.terms), Scalar(0));
+    const FitBands<Scalar> fit(*fit_, described_->result, has_trend(described_->terms), Scalar(0));
     for (const auto& [begin, past] : bands_.gaps()) result.excluded.push_back(fit.band(begin, past));
     result.spectrum = fit.spectrum(bands_.included());
     ModelEstimates<Scalar>(*selection_, options_.confidence, options_.candidates).write_to(result);
@@ -126,12 +125,13 @@ class Identification {
   void select() {
     fit_.emplace(spectrum_, bands_.included());
     selection_.emplace(*fit_, candidates());
-    const Model& best = selection_->best();
-    const FitBands<Scalar> bands(*fit_, best.result, has_trend(best.terms), BandSelection<Scalar>::tolerance);
+    described_ = selection_->descriptions().front();
+    const FitBands<Scalar> bands(*fit_, described_->result, has_trend(described_->terms),
+                                 BandSelection<Scalar>::tolerance);
     worst_ = bands.worst(bands_.included());
     octaves_ = bands.octaves(bands_.included());
     Scalar parameters = 0;
-    for (const NoiseTerm term : noise_terms) parameters += best.terms.has(term) ? 1 : 0;
+    for (const NoiseTerm term : noise_terms) parameters += described_->terms.has(term) ? 1 : 0;
     probability_ = FitBands<Scalar>::probability(octaves_, parameters, BandSelection<Scalar>::tolerance);
   }
 
@@ -171,6 +171,7 @@ class Identification {
   BandSelection<Scalar> bands_;
   std::optional<Fit> fit_;
   std::optional<Selection> selection_;
+  std::optional<Model> described_;  ///< what is reported: the first of the descriptions
   typename FitBands<Scalar>::Window worst_{};
   std::vector<typename FitBands<Scalar>::Octave> octaves_;
   Scalar probability_{};
