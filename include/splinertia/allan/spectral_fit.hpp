@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <splinertia/allan/grouped_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
 #include <splinertia/allan/pooled_spectrum.hpp>
@@ -22,9 +23,6 @@ namespace splinertia::allan {
 /// and random walk, but for what is common to neighbouring bins also for the other terms. To maximise is to minimise
 /// Σ log S_k + (b_k − c w_k)²/S_k, c the slope of a trend. For given S this is linear least squares; repeated with
 /// the S found it is Fisher's scoring (McCullagh and Nelder, "Generalized Linear Models", 2.5), here with θ ≥ 0.
-///
-/// Above the 64th, neighbouring bins are taken together up to a tenth of their frequency, where they are all used:
-/// every term is all but linear over so little.
 template <typename Scalar>
 class SpectralFit {
  public:
@@ -60,38 +58,7 @@ class SpectralFit {
   /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
   SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
               Scalar most_count = std::numeric_limits<Scalar>::max())
-      : spectrum_(&spectrum) {
-    const auto& bins = spectrum.bins();
-    bool joins = false;
-    for (std::size_t i = 0; i < bins.size(); joins = included[i], ++i) {
-      if (!included[i]) continue;
-      if (!joins || i < 64 || bins[i].frequency * 10 > first_frequency_ * 11) {
-        groups_.push_back({i, i});
-        first_frequency_ = bins[i].frequency;
-      }
-      groups_.back().end = i + 1;
-    }
-    const auto size = static_cast<Eigen::Index>(groups_.size());
-    count_.setZero(size);
-    power_.setZero(size);
-    basis_.setZero(size, powers);
-    share_.resize(size);
-    frequency_.resize(size);
-    for (Eigen::Index g = 0; g < size; ++g) {
-      Eigen::Matrix<Scalar, Spectrum::powers, 1> sum = Eigen::Matrix<Scalar, Spectrum::powers, 1>::Zero();
-      for (std::size_t i = group(g).begin; i < group(g).end; ++i) {
-        count_[g] += bins[i].count;
-        power_[g] += bins[i].power;
-        sum += bins[i].count * bins[i].basis;
-      }
-      basis_.row(g).template head<Spectrum::powers>() = sum / count_[g];
-      frequency_[g] = (bins[group(g).begin].frequency + bins[group(g).end - 1].frequency) / 2;
-      const Scalar most = most_count * static_cast<Scalar>(group(g).end - group(g).begin);
-      share_[g] = std::min(Scalar(1), most / count_[g]);
-    }
-    count_ *= share_;
-    power_ *= share_;
-  }
+      : spectrum_(&spectrum), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   /// The least S_k, in unit()²: the rounding of the largest sample. Without it, a signal that a ramp describes to the
@@ -100,7 +67,7 @@ class SpectralFit {
     return std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
   }
   /// Groups of bins, each with one expected power.
-  [[nodiscard]] std::size_t groups() const { return groups_.size(); }
+  [[nodiscard]] std::size_t groups() const { return grouped_.groups.size(); }
 
   /// What the square of a Gauss–Markov bias of 2σ²/(T·rate) = 1 has at a bin with basis_0 = x: a random walk's 1 times
   /// x·(1 − φ²)/(2a)/((1 − φ)² + φx), a = 1/(T·rate), φ = e^(−a).
@@ -188,10 +155,7 @@ class SpectralFit {
   }
 
  private:
-  using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
-  struct Group {
-    std::size_t begin, end;  // bins
-  };
+  using Column = typename GroupedSpectrum<Scalar>::Column;
   struct Work {
     Eigen::Array<Scalar, Eigen::Dynamic, powers> basis;
     bool trend = false;
@@ -210,8 +174,6 @@ class SpectralFit {
     return mask;
   }
 
-  [[nodiscard]] const Group& group(Eigen::Index g) const { return groups_[static_cast<std::size_t>(g)]; }
-
   [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
     const auto& bin = spectrum_->bins()[i];
     if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
@@ -226,22 +188,23 @@ class SpectralFit {
 
   [[nodiscard]] Work prepare(NoiseTerms terms, const Times& times) const {
     Work work;
-    work.basis = basis_;
+    work.basis.setZero(grouped_.basis.rows(), powers);
+    work.basis.template leftCols<Spectrum::powers>() = grouped_.basis;
     if (terms.has(NoiseTerm::gauss_markov)) {
-      for (Eigen::Index g = 0; g < basis_.rows(); ++g) {
-        work.basis(g, powers - 1) = gauss_markov_basis(basis_(g, 0), times.correlation);
+      for (Eigen::Index g = 0; g < grouped_.basis.rows(); ++g) {
+        work.basis(g, powers - 1) = gauss_markov_basis(grouped_.basis(g, 0), times.correlation);
       }
     }
     work.trend = terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
     if (!work.trend) return work;
-    work.trend_square.setZero(basis_.rows());
-    work.trend_products.assign(spectrum_->spectra(), Column::Zero(basis_.rows()));
-    for (Eigen::Index g = 0; g < basis_.rows(); ++g) {
-      for (std::size_t i = group(g).begin; i < group(g).end; ++i) {
+    work.trend_square.setZero(grouped_.basis.rows());
+    work.trend_products.assign(spectrum_->spectra(), Column::Zero(grouped_.basis.rows()));
+    for (Eigen::Index g = 0; g < grouped_.basis.rows(); ++g) {
+      for (std::size_t i = grouped_.group(g).begin; i < grouped_.group(g).end; ++i) {
         const TrendBin trend = trend_of(i, times.decay);
-        work.trend_square[g] += trend.square * share_[g];
+        work.trend_square[g] += trend.square * grouped_.share[g];
         for (std::size_t a = 0; a < work.trend_products.size(); ++a) {
-          work.trend_products[a][g] += product_of(i, a, trend) * share_[g];
+          work.trend_products[a][g] += product_of(i, a, trend) * grouped_.share[g];
         }
       }
     }
@@ -249,8 +212,8 @@ class SpectralFit {
   }
 
   [[nodiscard]] Column residual_power(const Work& work, const std::vector<Scalar>& slopes) const {
-    if (!work.trend) return power_;
-    Column power = power_;
+    if (!work.trend) return grouped_.power;
+    Column power = grouped_.power;
     for (std::size_t a = 0; a < slopes.size(); ++a) {
       power += slopes[a] * (slopes[a] * work.trend_square - 2 * work.trend_products[a]);
     }
@@ -263,18 +226,19 @@ class SpectralFit {
 
   /// A first guess of S: means over a third of an octave about each group.
   [[nodiscard]] Column smooth() const {
-    Column expected(count_.size());
+    Column expected(grouped_.count.size());
     Eigen::Index begin = 0, end = 0;
     Scalar power = 0, count = 0;
-    for (Eigen::Index g = 0; g < count_.size(); ++g) {
-      while (end < count_.size() && (end < g + 4 || frequency_[end] < frequency_[g] * Scalar(1.125))) {
-        power += power_[end];
-        count += count_[end];
+    for (Eigen::Index g = 0; g < grouped_.count.size(); ++g) {
+      while (end < grouped_.count.size() &&
+             (end < g + 4 || grouped_.frequency[end] < grouped_.frequency[g] * Scalar(1.125))) {
+        power += grouped_.power[end];
+        count += grouped_.count[end];
         ++end;
       }
-      while (begin + 4 < g && frequency_[begin] * Scalar(1.125) < frequency_[g]) {
-        power -= power_[begin];
-        count -= count_[begin];
+      while (begin + 4 < g && grouped_.frequency[begin] * Scalar(1.125) < grouped_.frequency[g]) {
+        power -= grouped_.power[begin];
+        count -= grouped_.count[begin];
         ++begin;
       }
       expected[g] = std::max(power / count, floor());
@@ -295,7 +259,7 @@ class SpectralFit {
   [[nodiscard]] Scalar evaluate(const Work& work, Result& trial, Column& expected) const {
     expected = expect(work, trial.theta);
     if (work.trend) fit_slopes(work, expected, trial);
-    return (count_ * expected.log() + residual_power(work, trial.slopes) / expected).sum();
+    return (grouped_.count * expected.log() + residual_power(work, trial.slopes) / expected).sum();
   }
 
   /// Weighted least squares of the power for θ ≥ 0, with the variance 2S² of the model.
@@ -303,7 +267,7 @@ class SpectralFit {
                             const Column& expected, const std::vector<Scalar>& slopes) const {
     const Column weight = expected.square().inverse();
     const auto basis = work.basis.matrix();
-    const Matrix information = basis.transpose() * (count_ * weight).matrix().asDiagonal() * basis;
+    const Matrix information = basis.transpose() * (grouped_.count * weight).matrix().asDiagonal() * basis;
     const Vector product = basis.transpose() * (residual_power(work, slopes) * weight).matrix();
     Vector held = Vector::Zero();
     unsigned candidates = 0;
@@ -318,10 +282,7 @@ class SpectralFit {
   }
 
   const Spectrum* spectrum_;
-  std::vector<Group> groups_;
-  Scalar first_frequency_ = 0;  // of the last group
-  Column count_, power_, share_, frequency_;
-  Eigen::Array<Scalar, Eigen::Dynamic, powers> basis_;
+  GroupedSpectrum<Scalar> grouped_;
 };
 
 }  // namespace splinertia::allan
