@@ -353,9 +353,9 @@ TEST_CASE("Logs and options that cannot be are refused") {
   CHECK(refusal({.confidence = 1}) == "identify: confidence is 1, expected a number between 0 and 1");
   CHECK(refusal({.confidence = std::numeric_limits<double>::quiet_NaN()}) ==
         "identify: confidence is nan, expected a number between 0 and 1");
-  CHECK(refusal({.candidates = {}}) == "identify: no candidates but a drift, expected a noise term");
+  CHECK(refusal({.candidates = {}}) == "identify: candidates, expected white noise, walk, flicker or quantization among them");
   CHECK(refusal({.candidates = {NoiseTerm::rate_ramp}}) ==
-        "identify: no candidates but a drift, expected a noise term");
+        "identify: candidates, expected white noise, walk, flicker or quantization among them");
   CHECK(refusal({.highest_frequency = -1}) == "identify: highest_frequency is -1, expected a finite number >= 0");
   CHECK(refusal({.highest_frequency = std::numeric_limits<double>::infinity()}) ==
         "identify: highest_frequency is inf, expected a finite number >= 0");

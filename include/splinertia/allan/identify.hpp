@@ -76,7 +76,7 @@ class Identification {
     const FitBands<Scalar> fit(*fit_, described_->result, has_trend(described_->terms), Scalar(0));
     for (const auto& [begin, past] : bands_.gaps()) result.excluded.push_back(fit.band(begin, past));
     result.spectrum = fit.spectrum(bands_.included());
-    ModelEstimates<Scalar>(*selection_, options_.confidence, options_.candidates).write_to(result);
+    ModelEstimates<Scalar>(*selection_, options_.confidence, candidates()).write_to(result);
     return result;
   }
 
@@ -95,8 +95,13 @@ class Identification {
       require(band.upper > band.lower, "identify", "upper end of an excluded band", band.upper,
               "more than its lower end");
     }
-    if (options.candidates.without(NoiseTerm::rate_ramp).without(NoiseTerm::warm_up).empty()) {
-      throw std::invalid_argument("identify: no candidates but a drift, expected a noise term");
+    NoiseTerms alone = options.candidates;
+    for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::gauss_markov, NoiseTerm::warm_up}) {
+      alone = alone.without(term);
+    }
+    if (alone.empty()) {
+      throw std::invalid_argument(
+          "identify: candidates, expected white noise, walk, flicker or quantization among them");
     }
     return options;
   }
@@ -118,8 +123,11 @@ class Identification {
   /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
   /// does if that end is left out.
   [[nodiscard]] NoiseTerms candidates() const {
+    using enum NoiseTerm;
+    const NoiseTerms terms = options_.candidates;
     const bool upper_end = bands_.used_end() == spectrum_.bins().size();
-    return upper_end ? options_.candidates : options_.candidates.without(NoiseTerm::quantization);
+    const bool others = terms.has(white) || terms.has(random_walk) || terms.has(bias_instability);
+    return upper_end || !others ? terms : terms.without(quantization);
   }
 
   void select() {

@@ -32,6 +32,11 @@ class ModelEstimates {
       result.descriptions.push_back(described(model));
       result.descriptions.back().cost -= selection_.best().cost;
     }
+    result.considered = candidates_;
+    if (const auto& drift = selection_.drift()) {
+      result.may_be_drift = true;
+      result.step_times = drift->steps;
+    }
     const auto best = selection_.best_models();
     for (const NoiseTerm term : noise_terms) {
       if (!candidates_.has(term)) continue;
@@ -173,9 +178,17 @@ class ModelEstimates {
     if (term == NoiseTerm::white) return true;
     if (!result.fits) return false;
     if (term == NoiseTerm::quantization) return true;
+    // One that forgets at the lower end of its range forgets faster, as a filter or vibration does.
+    const auto& best = selection_.best();
+    if (term == NoiseTerm::gauss_markov && best.terms.has(term) &&
+        best.result.times.correlation < selection_.likelihood().correlation_times().lower * 11 / 10) {
+      return false;
+    }
     const bool trend = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up;
     return std::none_of(result.excluded.begin(), result.excluded.end(), [&](const BandFit<Scalar>& band) {
-      return band.ratio > 1 && (trend || band.frequencies.lower < 4 * highest_slow_frequency());
+      // A band of the power that it should have was left out by hand.
+      if (band.ratio > Scalar(4) / 5 && band.ratio < Scalar(5) / 4) return false;
+      return trend || band.frequencies.lower < 4 * highest_slow_frequency();
     });
   }
 
@@ -228,8 +241,13 @@ class ModelEstimates {
         result.W.time_interval = profile.time(&Times::decay, likelihood.decay_times(), confidence_);
       }
     }
-    widen(estimate.interval, interval_at(confidence_));
-    widen(estimate.one_sigma, one_sigma_interval);
+    // Of what is detected, a larger model that shares its power with another term says nothing about the lower end.
+    const auto bounded = [&](Interval<Scalar> more, const Interval<Scalar>& whole) {
+      if (estimate.detected && !first && more.lower == 0) more.lower = whole.lower;
+      return more;
+    };
+    widen(estimate.interval, bounded(interval_at(confidence_), estimate.interval));
+    widen(estimate.one_sigma, bounded(one_sigma_interval, estimate.one_sigma));
   }
 
   /// As of a model that has a walk, too, if it has nothing slow: one that is too weak to show widens it, still.

@@ -26,7 +26,7 @@ class ModelLikelihood {
     const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
     // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
     correlation_ = {std::max(Scalar(32), samples / 10000) / rate, std::max(Scalar(64), samples / 4) / rate};
-    decay_ = {std::max(Scalar(32), samples / 200) / rate, std::max(Scalar(64), 2 * samples) / rate};
+    decay_ = {std::max(Scalar(32), samples / 200) / rate, std::max(Scalar(64), 8 * samples) / rate};
   }
 
   /// From scratch, or as far as a model with fewer terms leads as well: more terms are never less likely.

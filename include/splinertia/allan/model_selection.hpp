@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <splinertia/allan/deterministic_drift.hpp>
 #include <splinertia/allan/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <utility>
@@ -32,7 +33,8 @@ class ModelSelection {
     Scalar cost;
   };
 
-  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates) : likelihood_(fit), candidates_(candidates) {
+  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates)
+      : likelihood_(fit), candidates_(candidates), settled_(fit.spectrum().duration()) {
     using enum NoiseTerm;
     std::vector<NoiseTerms> sets;
     for (unsigned number = 1; number < NoiseTerms::sets; ++number) {
@@ -56,6 +58,7 @@ class ModelSelection {
       add(terms);
     }
     std::stable_sort(models_.begin(), models_.end(), [](const Model& a, const Model& b) { return a.cost < b.cost; });
+    look_for_drift(fit);
   }
 
   [[nodiscard]] const Likelihood& likelihood() const { return likelihood_; }
@@ -85,9 +88,15 @@ class ModelSelection {
                              [](const Model& a, const Model& b) { return a.cost < b.cost; });
   }
 
+  /// A mean that describes the log as well as the best without a term that wanders, if there is one.
+  [[nodiscard]] const std::optional<DeterministicDrift<Scalar>>& drift() const { return drift_; }
+
   /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk:
   /// that it forgets must gain what its time costs.
   [[nodiscard]] bool detects(NoiseTerm term) const {
+    const bool wanders =
+        term == NoiseTerm::random_walk || term == NoiseTerm::bias_instability || term == NoiseTerm::gauss_markov;
+    if (wanders && drift_) return false;
     const bool walk = term == NoiseTerm::random_walk;
     if (!best().terms.has(term) || (walk && best().terms.has(NoiseTerm::gauss_markov))) return false;
     return std::all_of(models_.begin(), models_.end(), [&](const Model& model) {
@@ -124,6 +133,19 @@ class ModelSelection {
 
   [[nodiscard]] bool plausible(const Model& model) const { return model.cost <= best_cost_ + margin; }
 
+  void look_for_drift(const SpectralFit<Scalar>& fit) {
+    const Model* still = nullptr;  // the best without anything slow
+    for (const Model& model : models_) {
+      const NoiseTerms fast{NoiseTerm::white, NoiseTerm::quantization};
+      if (model.terms.has(NoiseTerm::white) && model.terms.within(fast) && still == nullptr) still = &model;
+    }
+    if (still == nullptr || plausible(*still)) return;
+    std::vector<Scalar> expected;
+    for (const auto& bin : fit.compare(still->result, false)) expected.push_back(bin.expected);
+    auto drift = best_drift(fit.spectrum(), fit.included(), expected);
+    if (still->cost - drift.gain <= best_cost_ + margin) drift_ = std::move(drift);
+  }
+
   void add(NoiseTerms terms) {
     const auto spectra = static_cast<Scalar>(likelihood_.fit().spectrum().spectra());
     const bool trend = terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
@@ -137,8 +159,14 @@ class ModelSelection {
       }
     }
     Result result = likelihood_.maximise(terms, simpler);
-    // One that does not settle is a ramp.
-    if (terms.has(NoiseTerm::warm_up) && result.times.decay > likelihood_.fit().spectrum().duration()) return;
+    // One whose time gains nothing is a ramp.
+    if (terms.has(NoiseTerm::warm_up)) {
+      const NoiseTerms ramp = terms.without(NoiseTerm::warm_up).with(NoiseTerm::rate_ramp);
+      const bool idle = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
+        return model.terms == ramp && model.result.objective - result.objective < price;
+      });
+      if (idle || (!candidates_.has(NoiseTerm::rate_ramp) && result.times.decay > settled_)) return;
+    }
     const Scalar cost = result.objective + prices;
     best_cost_ = models_.empty() ? cost : std::min(best_cost_, cost);
     models_.push_back({terms, std::move(result), cost});
@@ -146,8 +174,10 @@ class ModelSelection {
 
   Likelihood likelihood_;
   NoiseTerms candidates_;
+  Scalar settled_;  ///< longest decay time that is none of a ramp, where no ramp is a candidate, s
   std::vector<Model> models_;
   Scalar best_cost_{};
+  std::optional<DeterministicDrift<Scalar>> drift_;
 };
 
 }  // namespace splinertia::allan

@@ -83,6 +83,11 @@ struct NoiseEstimates {
   /// or its slow noise too weak, to tell what kind it is of.
   std::vector<Description<Scalar>> descriptions;
 
+  /// The slow noise may be no noise: a smooth drift, as of a temperature, or steps at `step_times` [s] describe the log
+  /// as well. No walk, bias instability or Gauss–Markov bias is detected then.
+  bool may_be_drift = false;
+  std::vector<Scalar> step_times;
+  NoiseTerms considered;  ///< terms that were candidates in the end: Q is none if the upper end was left out
   /// A Gauss–Markov bias with a longer correlation time than this [s] describes the log as well as the walk that was
   /// detected, at 95 % confidence: the walk may be bounded. Zero if none was detected.
   Scalar least_correlation_time{};

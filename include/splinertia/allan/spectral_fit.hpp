@@ -58,9 +58,10 @@ class SpectralFit {
   /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
   SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
               Scalar most_count = std::numeric_limits<Scalar>::max())
-      : spectrum_(&spectrum), grouped_(spectrum, included, most_count) {}
+      : spectrum_(&spectrum), included_(included), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
+  [[nodiscard]] const std::vector<bool>& included() const { return included_; }
   /// The least S_k, in unit()²: the rounding of the largest sample. Without it, a signal that a ramp describes to the
   /// last digit would have no likelihood.
   [[nodiscard]] static Scalar floor() {
@@ -282,6 +283,7 @@ class SpectralFit {
   }
 
   const Spectrum* spectrum_;
+  std::vector<bool> included_;
   GroupedSpectrum<Scalar> grouped_;
 };
 
