@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/imu/normal.hpp>
 #include <vector>
 
@@ -72,6 +73,20 @@ inline void round_to(std::vector<double>& y, double resolution) {
 /// A filter of first order: each output takes this share of its input.
 inline void low_pass(std::vector<double>& y, double share) {
   for (std::size_t i = 1; i < y.size(); ++i) y[i] = y[i - 1] + share * (y[i] - y[i - 1]);
+}
+
+/// The power between two frequencies in Hz, both included, times a factor: the differences on sines, where each has one
+/// frequency.
+inline void scale_power(std::vector<double>& y, double rate, double lowest, double highest, double factor) {
+  std::vector<double> differences;
+  for (std::size_t i = 1; i < y.size(); ++i) differences.push_back(y[i] - y[i - 1]);
+  auto b = allan::sine_transform(differences);
+  for (std::size_t k = 1; k <= b.size(); ++k) {
+    const double frequency = static_cast<double>(k) * rate / static_cast<double>(2 * y.size());
+    if (lowest <= frequency && frequency <= highest) b[k - 1] *= std::sqrt(factor);
+  }
+  differences = allan::sine_transform(b);  // its own inverse
+  for (std::size_t i = 1; i < y.size(); ++i) y[i] = y[i - 1] + differences[i - 1];
 }
 
 }  // namespace splinertia::testing
