@@ -122,7 +122,7 @@ TEST_CASE("A line is left out with little beside it") {
       REQUIRE(gaps.size() == 1);
       // Not exactly: a bin has the mean of its frequencies. No more than a tenth, and four coefficients, on either
       // side.
-      const double margin = 0.1 * frequency + 4 * rate / (2 * size);
+      const double margin = frequency / 7 + 4 * rate / (2 * size);
       CHECK(gaps[0].lower <= frequency * 1.01);
       CHECK(gaps[0].upper >= frequency * 0.99);
       CHECK(gaps[0].lower >= frequency - margin);

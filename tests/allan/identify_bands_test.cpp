@@ -69,9 +69,9 @@ TEST_CASE("A line is left out, and what is beside it stays") {
       CHECK(estimates.fits);
       REQUIRE(estimates.excluded.size() == 1);
       CHECK(names(estimates.excluded[0], frequency));
-      // A third of its frequency and ten coefficients.
+      // A third of its frequency and fifteen coefficients.
       const auto& band = estimates.excluded[0].frequencies;
-      CHECK(band.upper - band.lower < 0.3 * frequency + 10 * rate / (2 * size));
+      CHECK(band.upper - band.lower < frequency / 3 + 15 * rate / (2 * size));
       CHECK(estimates.excluded[0].ratio > 1.5);
       CHECK(estimates.highest_frequency == rate / 2);
       CHECK_THAT(estimates.N.value, WithinRel(density, 0.015));

@@ -232,8 +232,12 @@ TEST_CASE("Only candidates are tried") {
 TEST_CASE("Some sets are no models") {
   // Whatever the log: a bias or a warm-up only beside white noise, one trend, two slow terms or a walk, flicker noise
   // and a trend.
+  Values bias_alone(size), warm_walk = simulated({.n = size, .rate = rate, .walk = 0.01, .seed = 1});
+  add_gauss_markov(bias_alone, rate, 0.06, 10, 1);
+  add_warm_up(warm_walk, rate, 3, 20);
   for (const NoiseTerms candidates : {NoiseTerms::all(), NoiseTerms::all().without(N)}) {
-    for (const Values& y : {biased(1, 0.02), warming(1, 0.02), log_with(1, 6e-4), log_with(1, 0, 4e-5, 1e-3)}) {
+    for (const Values& y :
+         {bias_alone, warm_walk, biased(1, 0.02), warming(1, 0.02), log_with(1, 6e-4), log_with(1, 0, 4e-5, 1e-3)}) {
       const LogFit log(y, rate);
       const Selection selection(log.fit, candidates);
       auto models = selection.best_models();
