@@ -227,6 +227,7 @@ TEST_CASE("Adequacy by what is wrong") {
   CHECK(with([](Result& r) { r.steps.push_back({}); }) == Adequacy::partial);
   CHECK(with([](Result& r) { r.noise.excluded.push_back({}); }) == Adequacy::partial);
   CHECK(with([](Result& r) { r.used_to_the_end = false; }) == Adequacy::partial);
+  CHECK(with([](Result& r) { r.stillness.disturbed = 1; }) == Adequacy::partial);
   const auto both = [](Result& r) {
     r.steps.push_back({});
     r.noise.fits = false;

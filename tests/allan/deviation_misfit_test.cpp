@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -79,6 +80,24 @@ TEST_CASE("The power law is that of the term with the most") {
   slow.values[static_cast<std::size_t>(NoiseTerm::bias_instability)] = 1;
   CHECK(law(slow, 2.6) == 2);
   CHECK(law(slow, 2.61) == -1);
+}
+
+TEST_CASE("A walk of samples has more than one of continuous time") {
+  // Half the mean square of the difference of two means of m samples: each increment of variance K²/rate has a weight
+  // of up to one, by how many samples follow.
+  for (const std::int64_t m : {1, 2, 3, 10, 100}) {
+    double squares = 0;
+    for (std::int64_t i = 1; i < 2 * m; ++i) squares += std::pow(static_cast<double>(std::min(i, 2 * m - i)), 2);
+    const double tau = static_cast<double>(m) / rate;
+    const double samples = squares / static_cast<double>(m * m) / rate / 2;
+    const double continuous = allan_variance(NoiseTerm::random_walk, tau);
+    CHECK_THAT(continuous + sampled_variance(description_of(NoiseTerm::random_walk), m, tau),
+               WithinRel(samples, 1e-12));
+    // A bias of a long time and σ = 1 is a walk of K² = 2/T.
+    CHECK_THAT(sampled_variance(description_of(NoiseTerm::gauss_markov, 50), m, tau),
+               WithinRel((samples - continuous) * 2 / 50, 1e-9));
+    CHECK(sampled_variance(description_of(NoiseTerm::white), m, tau) == 0);
+  }
 }
 
 TEST_CASE("Of the truth there is hardly ever a misfit") {

@@ -81,6 +81,24 @@ TEST_CASE("A line is left out, and what is beside it stays") {
   }
 }
 
+TEST_CASE("A strong line is left out, not the good octaves above it") {
+  for (const double frequency : {0.6, 3.0, 20.0, 40.0}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      INFO(frequency << " Hz, seed " << seed);
+      Values y = log_with(seed);
+      add_line(y, rate, 4 * deviation, frequency);
+      const auto estimates = identify(y, rate);
+      CHECK(estimates.highest_frequency == rate / 2);
+      REQUIRE_FALSE(estimates.excluded.empty());
+      for (const auto& band : estimates.excluded) CHECK(band.frequencies.upper < 1.6 * frequency);
+      CHECK_THAT(estimates.N.value, WithinRel(density, 0.015));
+      for (const NoiseTerm term : noise_terms) {
+        if (term != NoiseTerm::white) CHECK_FALSE(estimates[term].detected);
+      }
+    }
+  }
+}
+
 TEST_CASE("Several lines have several bands, from the lowest up") {
   Values y = log_with(1);
   for (const double frequency : {25.0, 0.8, 5.0}) add_line(y, rate, deviation, frequency);

@@ -193,16 +193,45 @@ TEST_CASE("Where the model does not hold, nothing but white noise is called dete
   }
 }
 
-TEST_CASE("What was left out can look like a warm-up or a bias") {
-  const auto around = [](double frequency) { return BandFit<double>{{frequency / 1.2, frequency * 1.2}, 10, 0.1}; };
-  CHECK_FALSE(Estimated(warming(1, 0.3, 60), true, {around(5)}).result.W.detected);
-  CHECK(Estimated(warming(1, 0.3, 60), true, {around(5)}).result.W.possible);
-  // A bias of T falls off from 1/(2πT) on: 0.016 Hz.
+TEST_CASE("What was left out can look like a slow term") {
+  const auto around = [](double frequency, double ratio = 10) {
+    return std::vector<BandFit<double>>{{{frequency / 1.2, frequency * 1.2}, ratio, 0.1}};
+  };
+  // Trends beside any band with too much power.
+  for (const Values& y : {warming(1, 0.3, 60), log_with(1, 0, 1e-3)}) {
+    const NoiseTerm term = Estimated(y).result.W.detected ? NoiseTerm::warm_up : NoiseTerm::rate_ramp;
+    CHECK(Estimated(y).result[term].detected);
+    CHECK_FALSE(Estimated(y, true, around(5)).result[term].detected);
+    CHECK(Estimated(y, true, around(5)).result[term].possible);
+    CHECK(Estimated(y, true, around(5)).result[term].interval.lower == 0);
+    CHECK(Estimated(y, true, around(5, 0.1)).result[term].detected);
+  }
+  // Others only where they are what there is: a bias of 10 s falls off from 1/(2πT) on, 0.016 Hz; a walk of 0.02 is
+  // above white noise of 0.02 up to 0.16 Hz.
   const double corner = 1 / (2 * std::numbers::pi * 10);
-  CHECK(Estimated(biased(1), true, {around(10)}).result.G.detected);
-  CHECK_FALSE(Estimated(biased(1), true, {around(corner * 2)}).result.G.detected);
-  CHECK(Estimated(biased(1), true, {around(corner * 2)}).result.G.possible);
-  CHECK(Estimated(log_with(1, 0.02), true, {around(5)}).result.K.detected);
+  CHECK(Estimated(biased(1), true, around(10)).result.G.detected);
+  CHECK_FALSE(Estimated(biased(1), true, around(corner * 2)).result.G.detected);
+  CHECK(Estimated(biased(1), true, around(corner * 2)).result.G.possible);
+  CHECK(Estimated(biased(1), true, around(corner * 2, 0.1)).result.G.detected);
+  CHECK(Estimated(log_with(1, 0.02), true, around(5)).result.K.detected);
+  CHECK_FALSE(Estimated(log_with(1, 0.02), true, around(0.1)).result.K.detected);
+  // White and quantization noise are no slow terms.
+  const Estimates rounded = Estimated(log_with(1, 0, 0, 2e-3), true, around(0.1)).result;
+  CHECK(rounded.N.detected);
+  CHECK(rounded.Q.detected);
+}
+
+TEST_CASE("The interval of a warm-up's height and of its time hold the truth") {
+  constexpr int logs = 30;
+  int height = 0, time = 0;
+  for (std::uint64_t seed = 1; seed <= logs; ++seed) {
+    const Estimates result = Estimated(warming(seed, 0.1, 80)).result;
+    const auto& W = result.W;
+    height += W.interval.lower <= 0.1 && 0.1 <= W.interval.upper ? 1 : 0;
+    time += W.time_interval.lower <= 80 && 80 <= W.time_interval.upper ? 1 : 0;
+  }
+  CHECK(height >= 23);
+  CHECK(time >= 23);
 }
 
 TEST_CASE("A walk that was detected may forget, but not sooner than is said") {
