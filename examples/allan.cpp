@@ -203,12 +203,14 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--accel-columns", reading.accel_columns, "of that; default: t,ax,ay,az")->delimiter(',');
   app.add_option("--accel-rate", reading.accel_rate, "samples a second [Hz], of that, for a table without times");
   app.add_option("--accel-topic", reading.accel_topic, "of that");
-  app.add_option("--terms", o.terms, "that may be in it")
+  app.add_option(
+         "--terms", o.terms,
+         "that may be in it: N white noise, K random walk, B bias instability, Q quantization noise, R rate ramp, G "
+         "Gauss-Markov bias, W warm-up")
       ->delimiter(',')
       ->check(CLI::IsMember({"N", "K", "B", "Q", "R", "G", "W"}))
       ->capture_default_str();
-  app.add_option("--confidence", o.identify.confidence, "of the intervals and limits of N, K, B, Q, R")
-      ->capture_default_str();
+  app.add_option("--confidence", o.identify.confidence, "of the intervals and limits")->capture_default_str();
   app.add_option("--highest-frequency", o.identify.highest_frequency,
                  "ignore what is above [Hz]; default: half the rate");
   app.add_option("--exclude", o.exclude, "ignore a band of frequencies LO-HI [Hz]; again for another one")

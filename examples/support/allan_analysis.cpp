@@ -52,7 +52,8 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
     try {
       return analysis();
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what()));
+      throw std::runtime_error(message(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what(),
+                                       " (- in --columns leaves an axis out)"));
     }
   };
   LogNoise result{log.path, log.rate, static_cast<double>(log.samples) / log.rate, options, {}, log.topic};

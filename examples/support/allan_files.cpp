@@ -63,9 +63,10 @@ void write_noise(AtomicFile& file, const LogNoise& noise) {
         if (timed && !estimate.detected && !estimate.possible) continue;
         file.append(
             message(sensor_name(sensor.kind), ',', row.name, ',', symbol(term), ',', estimate.detected ? 1 : 0));
-        const bool holds = row.adequacy != Adequacy::inadequate;
+        const bool known = row.noise->considered.has(term);
+        const bool holds = row.adequacy != Adequacy::inadequate && known;
         const bool disturbed = row.disturbed && estimate.possible;
-        write_reals(file, {disturbed ? nan : estimate.value, holds ? estimate.interval.lower : nan,
+        write_reals(file, {disturbed || !known ? nan : estimate.value, holds ? estimate.interval.lower : nan,
                            holds ? estimate.interval.upper : nan, holds ? estimate.standard_error() : nan});
         file.append(message(',', unit_of(term, sensor.kind)));
         if (timed) {
@@ -133,37 +134,52 @@ struct Choice {
   std::string comment;
 };
 
+/// What one axis, or all, say of a term, and how well it is known: of an axis that is described before one that is not,
+/// of a term that is detected before one that may be there and one that is not.
+struct Candidate {
+  int rank;
+  double value;
+  std::string axis, comment;
+};
+
+Candidate candidate(const SensorNoise::Row& row, NoiseTerm term, double confidence) {
+  const Estimate& estimate = (*row.noise)[term];
+  const auto& bias = row.noise->G;
+  const int described = row.adequacy == Adequacy::inadequate ? 0 : 3;
+  Candidate result{described, estimate.interval.upper, row.name,
+                   message("not detected, this is the upper limit with ", confidence * 100, " % confidence")};
+  if (estimate.detected) {
+    result = {described + 2, estimate.value, row.name, ""};
+  } else if (term == NoiseTerm::random_walk && bias.detected) {
+    result = {described + 2, bias.value * std::sqrt(2 / bias.time), row.name,
+              formatted("the walk that a Gauss-Markov bias of %.3g is over times shorter than its %.3g s", bias.value,
+                        bias.time)};
+  } else if (estimate.possible && !row.disturbed) {
+    result = {described + 1, estimate.value, row.name,
+              formatted("possible, not detected: the best estimate, with an upper limit of %.3g (see below)",
+                        estimate.interval.upper)};
+  }
+  if (described == 0)
+    result.comment +=
+        message(result.comment.empty() ? "" : "; ", "the log is not described, this is no more than a hint");
+  return result;
+}
+
 Choice choose(const SensorNoise& sensor, NoiseTerm term, double confidence) {
-  // The best that is known of any axis, and of these the largest.
-  const auto rank = [term](const SensorNoise::Row& row) {
-    const Estimate& estimate = (*row.noise)[term];
-    return estimate.detected ? 2 : estimate.possible && !row.disturbed ? 1 : 0;
-  };
-  const auto value = [&](const SensorNoise::Row& row) {
-    const Estimate& estimate = (*row.noise)[term];
-    return rank(row) > 0 ? estimate.value : estimate.interval.upper;
-  };
-  const auto rows = sensor.rows();
-  const auto worst = sensor.pooled ? std::prev(rows.end())
-                                   : std::max_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-                                       return std::pair(rank(a), value(a)) < std::pair(rank(b), value(b));
-                                     });
-  Choice choice{value(*worst), ""};
-  if (sensor.pooled) {
-    choice.comment = "of all axes, which agree";
-  } else if (rows.size() > 1) {
-    choice.comment = message("of axis ", worst->name, ", the largest: the axes differ or are not all described");
-  } else {
-    choice.comment = message("of axis ", worst->name, ", the only one");
-  }
-  if (rank(*worst) == 0) {
-    choice.comment += message("; not detected, this is the upper limit with ", confidence * 100, " % confidence");
-  } else if (rank(*worst) == 1) {
-    choice.comment += "; it may be something else (see below), this is what it is if it is there";
-  }
-  if (worst->adequacy == Adequacy::inadequate)
-    choice.comment += "; the log is not described, this is no more than a hint";
-  return choice;
+  std::vector<Candidate> candidates;
+  for (const auto& row : sensor.rows()) candidates.push_back(candidate(row, term, confidence));
+  const auto worst = sensor.pooled
+                         ? std::prev(candidates.end())
+                         : std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+                             return std::pair(a.rank, a.value) < std::pair(b.rank, b.value);
+                           });
+  std::string comment =
+      sensor.pooled ? "of all axes, which agree"
+      : candidates.size() > 1
+          ? message("of axis ", worst->axis, ", the largest that is known: the axes differ or are not all described")
+          : message("of axis ", worst->axis, ", the only one");
+  if (!worst->comment.empty()) comment += "; " + worst->comment;
+  return {worst->value, comment};
 }
 
 }  // namespace
@@ -187,6 +203,21 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
     };
     take(NoiseTerm::white, "noise_density", gyro ? result.imu.gyro_noise_density : result.imu.accel_noise_density);
     take(NoiseTerm::random_walk, "random_walk", gyro ? result.imu.gyro_random_walk : result.imu.accel_random_walk);
+    for (const auto& row : sensor.rows()) {
+      if (sensor.pooled && row.name != "all") continue;
+      if (row.adequacy != Adequacy::adequate) {
+        below.push_back(message(sensor_text, ' ', row.name, ": adequacy ", name(row.adequacy)));
+      }
+      for (const NoiseTerm term :
+           {NoiseTerm::bias_instability, NoiseTerm::rate_ramp, NoiseTerm::gauss_markov, NoiseTerm::warm_up}) {
+        const Estimate& estimate = (*row.noise)[term];
+        if (!estimate.detected) continue;
+        below.push_back(formatted("%s %s: %s %s = %.4g %s is in the log, too, which no value here has",
+                                  sensor_text.c_str(), row.name.c_str(), std::string(name(term)).c_str(),
+                                  std::string(symbol(term)).c_str(), estimate.value,
+                                  unit_of(term, sensor.kind).c_str()));
+      }
+    }
     if (sensor.pooled_finding) below.push_back(message(sensor_text, ": ", sensor.pooled_finding->text));
     for (const AxisNoise& axis : sensor.axes) {
       for (const Finding& finding : axis.findings) {

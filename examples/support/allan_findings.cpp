@@ -20,6 +20,7 @@ class Findings {
       : analysis_(analysis), noise_(analysis.noise), sensor_(sensor), kind_(sensor.kind), rate_(sensor.rate) {
     steps();
     freezes();
+    saturation();
     disturbances();
     bands();
     misfits();
@@ -38,18 +39,22 @@ class Findings {
   void steps() {
     constexpr std::size_t most = 5;
     for (const allan::Step& step : analysis_.steps) {
-      const double begin = time(step.sample), end = time(step.sample + step.duration);
+      const double begin = time(std::max<std::int64_t>(step.sample - step.duration, 0)), end = time(step.sample);
+      const double margin = 1 + (end - begin) / 2;
       std::string text =
           formatted("a step of %.3g %s near %.0f s", step.height, unit_text(SensorUnit{}, kind_).c_str(), begin);
-      if (step.duration > 0) text += formatted(" (it takes %.3g s)", end - begin);
+      if (step.duration > 0) text += formatted(" (it takes %.3g s until %.0f s)", end - begin, end);
       const bool late = static_cast<double>(step.sample) > noise_.duration * rate_ / 2;
-      text += late ? formatted(": leave it out with --until %.0f", std::floor(begin - 1))
-                   : formatted(": leave it out with --skip %.0f", std::ceil(end + 1));
+      const double until = std::floor(std::max(begin - margin, 0.0)), skip = std::ceil(end + margin);
+      text += late ? formatted(": leave out what is behind it with --until %.0f, or what is before with --skip %.0f",
+                               until, skip)
+                   : formatted(": leave out what is before it with --skip %.0f, or what is behind with --until %.0f",
+                               skip, until);
       if (all_.size() == most && analysis_.steps.size() > most) {
-        text = formatted("and %zu more steps", analysis_.steps.size() - most);
+        all_.push_back({"withheld", 0, 0, "", formatted("and %zu more steps", analysis_.steps.size() - most), true});
+        break;
       }
       all_.push_back({"step", begin, end, "s", text, true});
-      if (all_.size() > most) break;
     }
     if (!analysis_.steps.empty()) {
       all_.push_back({"withheld", 0, 0, "", "a step looks like a walk: no slow term is reported as detected", true});
@@ -66,24 +71,39 @@ class Findings {
     }
   }
 
+  void saturation() {
+    const std::int64_t samples = analysis_.saturation.samples();
+    if (samples == 0) return;
+    all_.push_back({"saturation", 0, 0, "",
+                    formatted("it saturates: %lld samples (%.2g %%) have its lowest or highest value",
+                              static_cast<long long>(samples),
+                              100 * static_cast<double>(samples) / static_cast<double>(analysis_.curve.samples)),
+                    true});
+  }
+
   void disturbances() {
     const allan::Stillness& still = analysis_.stillness;
     if (still.disturbed == 0) return;
     const double worst = time(still.worst);
     all_.push_back({"disturbance", worst, worst + 1, "s",
                     formatted("not at rest? In %lld of %lld overlapping blocks of about a second it spreads or sticks "
-                              "out more than noise explains, the worst from %.0f s on (%.3g times what is usual)",
+                              "out more than noise explains, the worst from %.0f s on (%.3g times what is usual): "
+                              "leave it out with --leave-out "
+                              "%.0f-%.0f",
                               static_cast<long long>(still.disturbed), static_cast<long long>(still.blocks), worst,
-                              still.worst_ratio),
+                              still.worst_ratio, std::max(std::floor(worst) - 1, 0.0), std::ceil(worst) + 2),
                     true});
   }
 
   void bands() {
     for (const auto& band : noise_.excluded) {
       all_.push_back({"excluded", band.frequencies.lower, band.frequencies.upper, "Hz",
-                      formatted("%.3g to %.3g Hz is left out: the power there is %.3g times that of these terms%s",
-                                band.frequencies.lower, band.frequencies.upper, band.ratio,
-                                band.ratio > 1 ? " (a line, vibration, hum)" : ""),
+                      formatted("%.3g to %.3g Hz is left out%s: the power there is %.3g times that of these terms",
+                                band.frequencies.lower, band.frequencies.upper,
+                                band.ratio > 0.8 && band.ratio < 1.25 ? ", as asked or beside a line"
+                                : band.ratio > 1                      ? " (a line, vibration, hum)"
+                                                                      : "",
+                                band.ratio),
                       true});
     }
     if (!analysis_.used_to_the_end) {
@@ -161,6 +181,12 @@ class Findings {
           {"descriptions", 0, 0, "", "the warm-up may be no more than the ends of a line that is left out", false});
     }
     if (const auto finding = descriptions_finding(noise_, kind_)) all_.push_back(*finding);
+    if (noise_.G.possible && noise_.descriptions.size() == 1 && noise_.excluded.empty() && !noise_.may_be_drift) {
+      all_.push_back(
+          {"descriptions", 0, 0, "",
+           formatted("it forgets in %.2g s or less: a filter or a vibration rather than a bias", noise_.G.time),
+           false});
+    }
   }
 
   const allan::Analysis<double>& analysis_;
@@ -178,6 +204,15 @@ std::optional<Finding> descriptions_finding(const allan::NoiseEstimates<double>&
   for (const auto& description : noise.descriptions) {
     std::string text = slow_terms_text(description, kind);
     if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(std::move(text));
+  }
+  if (noise.may_be_drift) {
+    std::string text = "a smooth drift, as with temperature";
+    if (!noise.step_times.empty()) {
+      text = noise.step_times.size() == 1 ? "a step near" : formatted("%zu steps near", noise.step_times.size());
+      for (const double time : noise.step_times) text += formatted(" %.0f s", time);
+      text += " behind the beginning of what was analysed";
+    }
+    texts.push_back(text);
   }
   if (texts.size() < 2) return std::nullopt;
   std::string list;

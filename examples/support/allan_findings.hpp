@@ -10,7 +10,7 @@
 #include "support/imu_log.hpp"
 
 /// One thing that a reader of the results must know. Kinds: excluded and unused (bands of frequencies), misfit
-/// (averaging times), fit, step, withheld, freeze, disturbance, resolution, white_noise, descriptions.
+/// (averaging times), fit, step, withheld, freeze, saturation, disturbance, resolution, white_noise, descriptions.
 struct Finding {
   std::string kind;
   double from, to;   ///< in `unit`; the same of what has no range

@@ -28,7 +28,7 @@ void print_table(const SensorNoise& sensor, const LogNoise& noise) {
     for (const auto& row : sensor.rows()) {
       const Estimate& estimate = (*row.noise)[term];
       if (is_timed(term) && !estimate.detected && !estimate.possible) continue;
-      const bool holds = row.adequacy != Adequacy::inadequate;
+      const bool holds = row.adequacy != Adequacy::inadequate && row.noise->considered.has(term);
       std::string found;
       if (estimate.detected && holds) {
         found =
@@ -71,7 +71,7 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
             formatted("; it may be bounded, if it forgets in no less than %.3g s", row.noise->least_correlation_time);
       }
       std::printf("%s: %s: %s\n", who.c_str(), std::string(name(term)).c_str(), text.c_str());
-    } else if (!estimate.possible && !is_timed(term)) {
+    } else if (!estimate.possible && !is_timed(term) && row.noise->considered.has(term)) {
       missing.emplace_back(name(term));
     }
   }
@@ -79,6 +79,7 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
     std::printf("%s: not detected in %s: %s\n", who.c_str(), duration_text(sensor.duration).c_str(),
                 list_of(missing).c_str());
   }
+  std::printf("%s: adequacy: %s\n", who.c_str(), std::string(name(row.adequacy)).c_str());
   if (row.noise->fits && row.adequacy != Adequacy::inadequate) {
     std::printf("%s: what is used agrees with these terms (goodness of fit: p = %.2g)\n", who.c_str(),
                 row.noise->fit_probability);

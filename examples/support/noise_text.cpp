@@ -59,8 +59,10 @@ std::string meaning(NoiseTerm term, SensorKind kind, double rate, double value, 
           "the bias wanders by %.4g %s and forgets in %.3g s; over shorter times it is a walk of K = %.4g %s", value,
           unit.c_str(), time, value * std::sqrt(2 / time), unit_of(NoiseTerm::random_walk, kind).c_str());
     case NoiseTerm::warm_up:
-      return formatted("the bias settles by %.4g %s in a time of %.3g s; leave out the beginning (--skip %.0f)", value,
-                       unit.c_str(), time, std::ceil(4 * time));
+      return formatted(
+          "the bias settles by %.4g %s in a time of %.3g s: let it warm up before you record, or leave out "
+          "the beginning (--skip)",
+          value, unit.c_str(), time);
   }
   return "";
 }

@@ -12,6 +12,7 @@
 #include <splinertia/allan/identify.hpp>
 #include <splinertia/allan/resolution.hpp>
 #include <splinertia/allan/sampling.hpp>
+#include <splinertia/allan/saturation.hpp>
 #include <splinertia/allan/steps.hpp>
 #include <splinertia/allan/stillness.hpp>
 #include <splinertia/allan/streaming.hpp>

@@ -89,6 +89,15 @@ TEST_CASE("Gaps are runs of bins") {
   CHECK(selection.gaps() == Gaps{{0, 2}});
 }
 
+TEST_CASE("What is left out does not grow when something else is") {
+  const LogFit log(white(1), rate);
+  Selection selection(log.pooled, rate, {});
+  selection.leave_out({100, 116, 6});
+  CHECK(selection.gaps() == Gaps{{96, 120}});
+  selection.leave_out({300, 304, 6});
+  CHECK(selection.gaps() == Gaps{{96, 120}, {299, 305}});
+}
+
 TEST_CASE("At the upper end, what a filter bends an octave below goes, too") {
   const LogFit log(white(1), rate);
   const auto& bins = log.pooled.bins();

@@ -353,7 +353,8 @@ TEST_CASE("Logs and options that cannot be are refused") {
   CHECK(refusal({.confidence = 1}) == "identify: confidence is 1, expected a number between 0 and 1");
   CHECK(refusal({.confidence = std::numeric_limits<double>::quiet_NaN()}) ==
         "identify: confidence is nan, expected a number between 0 and 1");
-  CHECK(refusal({.candidates = {}}) == "identify: candidates, expected white noise, walk, flicker or quantization among them");
+  CHECK(refusal({.candidates = {}}) ==
+        "identify: candidates, expected white noise, walk, flicker or quantization among them");
   CHECK(refusal({.candidates = {NoiseTerm::rate_ramp}}) ==
         "identify: candidates, expected white noise, walk, flicker or quantization among them");
   CHECK(refusal({.highest_frequency = -1}) == "identify: highest_frequency is -1, expected a finite number >= 0");

@@ -15,6 +15,7 @@
 #include <splinertia/allan/identify.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/resolution.hpp>
+#include <splinertia/allan/saturation.hpp>
 #include <splinertia/allan/steps.hpp>
 #include <splinertia/allan/stillness.hpp>
 #include <vector>
@@ -36,7 +37,8 @@ struct Analysis {
   std::vector<DeviationMisfit<Scalar>> misfits{};  ///< between the two
   std::vector<Step> steps{};
   std::vector<SampleSpan> freezes{};
-  Stillness stillness{};               ///< in blocks of a second
+  Stillness stillness{};  ///< in blocks of a second
+  Saturation saturation{};
   std::optional<Scalar> resolution{};  ///< unit of the signal, if it shows
   RoundingEffect rounding = RoundingEffect::none;
   bool used_to_the_end = true;  ///< no octaves at the upper end of the spectrum were left out
@@ -44,9 +46,16 @@ struct Analysis {
   [[nodiscard]] Adequacy adequacy() const {
     const bool left_out = !noise.excluded.empty() || !used_to_the_end;
     if (!noise.fits || !freezes.empty() || rounding == RoundingEffect::invalid) return Adequacy::inadequate;
+    if (saturation.samples() > 0 || knocks_matter()) return Adequacy::inadequate;
     if (!left_out && steps.empty() && stillness.disturbed == 0)
       return misfits.empty() ? Adequacy::adequate : Adequacy::inadequate;
     return Adequacy::partial;
+  }
+
+  /// Disturbed blocks have at most so much of all power that N is off by more than a hundredth.
+  [[nodiscard]] bool knocks_matter() const {
+    const auto blocks = static_cast<double>(stillness.blocks), disturbed = static_cast<double>(stillness.disturbed);
+    return disturbed * stillness.worst_ratio * stillness.worst_ratio > 0.02 * blocks;
   }
 };
 
@@ -80,6 +89,7 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
   }
   steps.left_out = result.freezes = find_freezes(samples);
   result.steps = find_steps(signal, steps);
+  result.saturation = find_saturation(samples);
   // Blocks of a second.
   constexpr std::int64_t least_block = 20, most_block = 1'000'000'000;
   const auto second = static_cast<double>(std::min(signal.rate(), static_cast<Scalar>(most_block)));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <splinertia/allan/fit_bands.hpp>
 #include <splinertia/allan/interval.hpp>
@@ -28,7 +29,7 @@ class BandSelection {
   static constexpr Scalar most_off = Scalar(21) / 4;
 
   BandSelection(const Spectrum& spectrum, Scalar highest, const std::vector<Interval<Scalar>>& excluded)
-      : spectrum_(spectrum), included_(spectrum.bins().size(), true) {
+      : spectrum_(spectrum), included_(spectrum.bins().size(), true), misfits_(spectrum.bins().size(), false) {
     for (std::size_t i = 0; i < included_.size(); ++i) {
       const Scalar frequency = spectrum.bins()[i].frequency;
       if (frequency > highest) included_[i] = false;
@@ -71,7 +72,10 @@ class BandSelection {
   }
 
   /// Takes all again but what was left out by hand.
-  void reset() { included_ = allowed_; }
+  void reset() {
+    included_ = allowed_;
+    misfits_.assign(misfits_.size(), false);
+  }
 
   /// Runs of bins that are left out, up to the highest that is used.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> gaps() const {
@@ -113,34 +117,58 @@ class BandSelection {
       // The cube root of a mean of squares is all but normal (FitBands); its median is that of the mean but for this.
       const Scalar variance = 2 / (9 * bins[i].count);
       const Scalar ratio = power[i] / *middle * (1 - 3 * variance);
-      if (ratio > 2 && std::cbrt(ratio) > 1 - variance + most_deviations * std::sqrt(variance)) included_[i] = false;
+      if (ratio > 2 && std::cbrt(ratio) > 1 - variance + most_deviations * std::sqrt(variance)) mark(i, i + 1);
     }
   }
 
+  /// Bins that the power of [begin, end) reaches on its upper side.
+  [[nodiscard]] std::size_t skirt(std::size_t begin, std::size_t end) const {
+    const auto& bins = spectrum_.bins();
+    const auto density = [&](std::size_t i) { return bins[i].power / (bins[i].count * bins[i].basis[0]); };
+    const std::size_t before = begin > 0 ? begin - 1 : begin, behind = std::min(end, bins.size() - 1);
+    const Scalar level = std::max(std::min(density(before), density(behind)), Fit::floor());
+    Scalar excess = 0;
+    for (std::size_t i = begin; i < end; ++i) excess += bins[i].count * (density(i) / level - 1);
+    if (!(excess > 0)) return 0;
+    const Scalar step = spectrum_.rate() / (2 * static_cast<Scalar>(spectrum_.samples()));
+    const Scalar width =
+        std::min(std::sqrt(50 * excess / static_cast<Scalar>(spectrum_.spectra())) / std::numbers::pi_v<Scalar> * step,
+                 bins[begin].frequency / 2);
+    std::size_t last = end;
+    while (last < bins.size() && bins[last].frequency < bins[end - 1].frequency + width) ++last;
+    return last - end;
+  }
+
   void mark(std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) included_[i] = false;
+    for (std::size_t i = begin; i < end; ++i) {
+      included_[i] = false;
+      misfits_[i] = true;
+    }
   }
 
   /// What bends the power in a band bends it beside it, too, below what shows there: a quarter of the band's width on
-  /// either side, at the upper end of the spectrum an octave. Islands in between go with it.
+  /// either side, at the upper end of the spectrum an octave. Islands in between go with it. The ends of the log spread
+  /// a line of E times the power of a b_k over its neighbours as E/(π·distance)²: up to where that is a fiftieth, or to
+  /// half its frequency on either side.
   void widen() {
     constexpr std::size_t island = 6, octave = 45;
     std::vector<std::pair<std::size_t, std::size_t>> runs;
     for (std::size_t i = 0; i < included_.size(); ++i) {
-      if (included_[i] || !allowed_[i]) continue;
+      if (!misfits_[i] || !allowed_[i]) continue;
       if (runs.empty() || runs.back().second + island < i) runs.push_back({i, i});
       runs.back().second = i + 1;
     }
     for (const auto& [begin, end] : runs) {
-      const std::size_t margin = std::max<std::size_t>(1, (end - begin) / 4);
+      const std::size_t margin = std::max({std::size_t{1}, (end - begin) / 4, skirt(begin, end)});
       const bool top = end + island >= included_.size();
       const std::size_t below = top ? std::max(margin, octave) : margin;
-      mark(begin > below ? begin - below : 0, top ? included_.size() : std::min(end + margin, included_.size()));
+      const std::size_t last = top ? included_.size() : std::min(end + margin, included_.size());
+      for (std::size_t i = begin > below ? begin - below : 0; i < last; ++i) included_[i] = false;
     }
   }
 
   const Spectrum& spectrum_;
-  std::vector<bool> included_, allowed_;
+  std::vector<bool> included_, misfits_, allowed_;
 };
 
 }  // namespace splinertia::allan

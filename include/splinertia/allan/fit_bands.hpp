@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
@@ -127,14 +128,20 @@ class FitBands {
   }
 
  private:
-  /// The cube root of a mean of squares is all but normal: Wilson and Hilferty, PNAS 17 (1931). Zero within the
-  /// tolerance.
+  /// The signed root of the likelihood ratio of a mean of `count` squares, corrected to the third moment, which is all
+  /// but normal (Barndorff-Nielsen, Biometrika 73 (1986)): tails within 13 % for one square, 2 % from four on, up and
+  /// down. Zero within the tolerance.
   [[nodiscard]] static Scalar deviation(Scalar sum, Scalar count, Scalar tolerance) {
-    const Scalar ratio = sum / count;
+    const Scalar least = std::numeric_limits<Scalar>::min();
+    const Scalar ratio = std::max(sum / count, least);
     if (std::abs(ratio - 1) <= tolerance) return 0;
-    const Scalar beyond = ratio > 1 ? ratio - tolerance : ratio + tolerance;
-    const Scalar variance = 2 / (9 * count);
-    return (std::cbrt(beyond) - (1 - variance)) / std::sqrt(variance);
+    const Scalar beyond = ratio > 1 ? ratio - tolerance : ratio + tolerance, excess = beyond - 1;
+    const Scalar linear = std::sqrt(count / 2) * excess;
+    // x − ln(1 + x) cancels for small x.
+    const bool small = std::abs(excess) < Scalar(1) / 1000;
+    const Scalar divergence = small ? excess * excess * (Scalar(1) / 2 - excess / 3) : excess - std::log(beyond);
+    const Scalar root = std::copysign(std::sqrt(count * divergence), excess);
+    return root == 0 ? Scalar(0) : root + std::log(linear / root) / root;
   }
   [[nodiscard]] Scalar deviation(Scalar sum, Scalar count) const { return deviation(sum, count, tolerance_); }
 

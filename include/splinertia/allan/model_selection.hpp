@@ -76,7 +76,9 @@ class ModelSelection {
     for (const Model& model : models_) {
       if (!plausible(model)) break;
       const bool more = std::any_of(models_.begin(), models_.end(), [&](const Model& other) {
-        return plausible(other) && other.terms != model.terms && covers(model.terms, other.terms) &&
+        // A walk stands for a Gauss–Markov bias unless that it forgets gains what its time costs.
+        const bool stands = other.terms.within(model.terms) || other.cost <= model.cost + price;
+        return plausible(other) && other.terms != model.terms && stands && covers(model.terms, other.terms) &&
                (!covers(other.terms, model.terms) || count(other.terms) < count(model.terms));
       });
       if (!more) found.push_back(model);
@@ -133,17 +135,26 @@ class ModelSelection {
 
   [[nodiscard]] bool plausible(const Model& model) const { return model.cost <= best_cost_ + margin; }
 
+  /// A mean besides the white and quantization noise of the best model.
   void look_for_drift(const SpectralFit<Scalar>& fit) {
-    const Model* still = nullptr;  // the best without anything slow
-    for (const Model& model : models_) {
-      const NoiseTerms fast{NoiseTerm::white, NoiseTerm::quantization};
-      if (model.terms.has(NoiseTerm::white) && model.terms.within(fast) && still == nullptr) still = &model;
-    }
-    if (still == nullptr || plausible(*still)) return;
+    using enum NoiseTerm;
+    const Model& best = models_.front();
+    const NoiseTerms slow = best.terms.without(white).without(quantization);
+    const bool still = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
+      return plausible(model) && model.terms.within(NoiseTerms{white, quantization});
+    });
+    if (still) return;  // nothing slow is claimed
+    // Who names no drift among the candidates knows that there is none.
+    if (slow.empty() || !best.terms.has(white) || !(candidates_.has(rate_ramp) || candidates_.has(warm_up))) return;
     std::vector<Scalar> expected;
-    for (const auto& bin : fit.compare(still->result, false)) expected.push_back(bin.expected);
+    const auto& theta = best.result.theta;
+    for (const auto& bin : fit.spectrum().bins()) {
+      const Scalar power = bin.basis[0] * theta[0] + bin.basis[3] * theta[SpectralFit<Scalar>::place(quantization)];
+      expected.push_back(std::max(power, SpectralFit<Scalar>::floor()));
+    }
     auto drift = best_drift(fit.spectrum(), fit.included(), expected);
-    if (still->cost - drift.gain <= best_cost_ + margin) drift_ = std::move(drift);
+    const Scalar fast = price * static_cast<Scalar>(count(best.terms) - count(slow));
+    if (fit.fast_objective(theta) + fast - drift.gain <= best_cost_ + margin) drift_ = std::move(drift);
   }
 
   void add(NoiseTerms terms) {

@@ -129,6 +129,14 @@ class SpectralFit {
     return best;
   }
 
+  /// −2·log-likelihood of white and quantization noise alone, with the coefficients of a θ that has more.
+  [[nodiscard]] Scalar fast_objective(const Vector& theta) const {
+    const NoiseTerms fast{NoiseTerm::white, NoiseTerm::quantization};
+    const Work work = prepare(fast, {});
+    const Column expected = expect(work, theta.cwiseProduct(mask(fast)));
+    return (grouped_.count * expected.log() + grouped_.power / expected).sum();
+  }
+
   /// The power expected in a bin of the spectrum, for each b_k, and what is there without the trend.
   struct Comparison {
     Scalar expected, residual, white;  ///< of one b_k; of all; of one, white noise alone
