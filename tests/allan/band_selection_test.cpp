@@ -129,9 +129,9 @@ TEST_CASE("A line is left out with little beside it") {
       const Selection selection = without_misfits(log);
       const auto gaps = gaps_of(selection, log);
       REQUIRE(gaps.size() == 1);
-      // Not exactly: a bin has the mean of its frequencies. No more than a tenth, and four coefficients, on either
-      // side.
-      const double margin = frequency / 7 + 4 * rate / (2 * size);
+      // Not exactly: a bin has the mean of its frequencies. No more than half, as far as a strong line's power reaches,
+      // and four coefficients, on either side.
+      const double margin = frequency * 0.6 + 4 * rate / (2 * size);
       CHECK(gaps[0].lower <= frequency * 1.01);
       CHECK(gaps[0].upper >= frequency * 0.99);
       CHECK(gaps[0].lower >= frequency - margin);

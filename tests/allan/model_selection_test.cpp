@@ -143,7 +143,7 @@ TEST_CASE("A weak ramp can be a walk") {
 TEST_CASE("What is strong is named for what it is") {
   CHECK(count_detected(8, "NG", [](std::uint64_t seed) { return biased(seed); }) >= 7);
   CHECK(count_detected(8, "NW", [](std::uint64_t seed) { return warming(seed); }) == 8);
-  CHECK(count_detected(8, "NR", [](std::uint64_t seed) { return log_with(seed, 0, 1e-3); }) == 8);
+  CHECK(count_detected(8, "NR", [](std::uint64_t seed) { return log_with(seed, 0, 1e-3); }) >= 7);
   CHECK(count_detected(8, "NQ", [](std::uint64_t seed) { return log_with(seed, 0, 0, 2e-3); }) == 8);
   CHECK(count_detected(8, "NKQ", [](std::uint64_t seed) { return log_with(seed, 0.03, 0, 2e-3); }) >= 6);
 }
@@ -185,8 +185,10 @@ TEST_CASE("Models cost their price, and are listed as promised") {
           if (other.terms == model.terms) continue;
           INFO(symbols(model.terms) << " and " << symbols(other.terms));
           CHECK_FALSE(other.terms.within(model.terms));
-          // A bias that forgets tends to a walk.
-          if (model.terms.has(G)) CHECK_FALSE(other.terms.without(K).within(model.terms));
+          // A bias that forgets tends to a walk, unless that it does gains more than its time costs.
+          if (model.terms.has(G) && other.cost <= model.cost + 3) {
+            CHECK_FALSE(other.terms.without(K).within(model.terms));
+          }
         }
         for (const NoiseTerm term : noise_terms) {
           if (term != K && selection.detects(term)) CHECK(model.terms.has(term));

@@ -52,8 +52,10 @@ struct Analysis {
     return Adequacy::partial;
   }
 
-  /// Disturbed blocks have at most so much of all power that N is off by more than a hundredth.
+  /// Disturbed blocks may have so much of all power that N is off by more than a hundredth; not those that a step
+  /// disturbs.
   [[nodiscard]] bool knocks_matter() const {
+    if (!steps.empty()) return false;
     const auto blocks = static_cast<double>(stillness.blocks), disturbed = static_cast<double>(stillness.disturbed);
     return disturbed * stillness.worst_ratio * stillness.worst_ratio > 0.02 * blocks;
   }

@@ -34,7 +34,7 @@ struct GroupedSpectrum {
     bool joins = false;
     for (std::size_t i = 0; i < bins.size(); joins = included[i], ++i) {
       if (!included[i]) continue;
-      if (!joins || i < alone || bins[i].frequency * 10 > first * 11) {
+      if (!joins || i <= alone || bins[i].frequency * 10 > first * 11) {
         groups.push_back({i, i});
         first = bins[i].frequency;
       }
