@@ -218,7 +218,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag("!--keep-misfits", o.identify.exclude_misfits,
                "do not leave out the bands where the power is not that of noise (lines, resonances, filters)");
   app.add_option("-o,--output", o.output,
-                 "folder for curves.csv, noise.csv, the files for estimators, allan.png and .svg")
+                 "folder for curves.csv, noise.csv, spectrum.csv, findings.csv, the files for estimators, allan.png and .svg")
       ->capture_default_str();
   o.for_estimators = estimator_names();
   app.add_option("--estimators", o.for_estimators,
