@@ -208,8 +208,7 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
       if (row.adequacy != Adequacy::adequate) {
         below.push_back(message(sensor_text, ' ', row.name, ": adequacy ", name(row.adequacy)));
       }
-      for (const NoiseTerm term :
-           {NoiseTerm::bias_instability, NoiseTerm::rate_ramp, NoiseTerm::gauss_markov, NoiseTerm::warm_up}) {
+      for (const NoiseTerm term : {NoiseTerm::bias_instability, NoiseTerm::rate_ramp, NoiseTerm::warm_up}) {
         const Estimate& estimate = (*row.noise)[term];
         if (!estimate.detected) continue;
         below.push_back(formatted("%s %s: %s %s = %.4g %s is in the log, too, which no value here has",

@@ -109,8 +109,8 @@ class Findings {
     if (!analysis_.used_to_the_end) {
       all_.push_back(
           {"unused", noise_.highest_frequency, rate_ / 2, "Hz",
-           formatted("above %.4g Hz it is left out: not white (a low-pass filter, vibration, hum); N is that "
-                     "of averages longer than %.2g s, Q cannot be known",
+           formatted("above %.4g Hz it is left out, as asked or because it is not white (a low-pass filter, vibration, "
+                     "hum); N is that of averages longer than %.2g s, Q cannot be known",
                      noise_.highest_frequency, 1 / (2 * noise_.highest_frequency)),
            true});
     }
