@@ -123,6 +123,14 @@ std::string ways_out(const Stream& stream, const allan::SamplingLimits& limits) 
 
 Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
   Stream stream{table, read_imu_columns(table), {}, table.rate.value_or(0), std::nullopt};
+  const std::size_t kept = stream.columns.rows, dropped = stream.columns.duplicates;
+  if (dropped * 100 > kept + dropped) {
+    throw std::runtime_error(message(table.path.string(), ": sampling: ", dropped, " of ", kept + dropped,
+                                     " rows have the stamp of the row before, expected at most 1 % to drop: they are "
+                                     "samples of packets with a stamp "
+                                     "each; leave the times out with - for t in --columns, and give ",
+                                     table.rate_option));
+  }
   stream.left_out = leave_out(stream.columns, options, table.rate);
   if (stream.columns.times.empty()) return stream;
   try {

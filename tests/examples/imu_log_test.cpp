@@ -205,6 +205,11 @@ TEST_CASE("duplicates are dropped on request, times that go back are not") {
   CHECK(log.samples == 1999);
   CHECK(log.sensors[0].axes[0].values.size() == 1999);
   CHECK(line(log, "duplicates") == "duplicates: 1 row with the stamp of the row before left out");
+  // Packets of eight with one stamp are no duplicates to drop.
+  const auto packets = write(2000, [](int i) { return every_5_ms(8 * (i / 8)); });
+  CHECK(has(refusal(packets, options),
+            "1750 of 2000 rows have the stamp of the row before, expected at most 1 % to drop"));
+  CHECK(has(refusal(packets, options), "and give --rate"));
   const auto back = write(2000, [](int i) { return every_5_ms(i == 700 ? 5 : i); });
   CHECK(has(refusal(back, options), ":702: time 1600000000025000000 ns follows 1600000003495000000 ns, expected"));
 }
