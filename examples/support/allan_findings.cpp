@@ -127,7 +127,13 @@ class Findings {
   }
 
   void fit() {
-    if (noise_.fits) return;
+    if (noise_.fits) {
+      all_.push_back(
+          {"fit", 0, 0, "",
+           formatted("what is used agrees with these terms (goodness of fit: p = %.2g)", noise_.fit_probability),
+           false});
+      return;
+    }
     std::string where;
     const auto doubt = [](const auto& band) { return std::abs(band.ratio - 1) / band.standard_error; };
     const auto worst = std::max_element(noise_.bands.begin(), noise_.bands.end(),

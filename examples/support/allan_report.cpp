@@ -99,7 +99,9 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
   if (sensor.pooled_finding) std::printf("all axes: %s\n", sensor.pooled_finding->text.c_str());
   for (const AxisNoise& axis : sensor.axes) {
     for (const Finding& finding : axis.findings) {
-      if (sensor.pooled && finding.kind == "descriptions") continue;  // all together tell more
+      // That it fits has been said, and all axes together tell more.
+      if (finding.kind == "fit" && !finding.warning) continue;
+      if (finding.kind == "descriptions" && sensor.pooled) continue;
       std::printf("%c: %s\n", axis.name, finding.text.c_str());
     }
   }
