@@ -172,8 +172,9 @@ void print_speed(bool csv, const Settings& settings) {
                   4.0 * small * static_cast<double>(rounds), [&x, rounds, n] {
                     const double* begin = x.sums().data();
                     if (n < small + 16 * factor) return;
+                    const auto end = static_cast<std::int64_t>(std::min<std::size_t>(n, small));
                     for (std::size_t i = 0; i < rounds; ++i)
-                      benchmark::keep(squared_differences<2, 4>(begin, factor, 0, small));
+                      benchmark::keep(squared_differences<2, 4>(begin, factor, 0, end));
                   }});
   jobs.push_back({"bound_reading", "bound: reading the sums once, a stream", samples,
                   [&x] {

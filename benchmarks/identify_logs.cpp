@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Identifies the noise of many logs, which come through standard input as bare numbers: for allan_statistics.py.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,10 +12,9 @@
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/deviation_misfit.hpp>
 #include <splinertia/allan/identify.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "../examples/support/program.hpp"
 
 using namespace splinertia;
 
@@ -156,5 +156,16 @@ int main(int argc, char** argv) {
   app.add_option("--axes", options.axes, "axes of a log, which are identified together")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-  return run_program("identify_logs", app, argc, argv, [&] { identify_logs(options); });
+  try {
+    app.parse(argc, argv);
+    identify_logs(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "identify_logs: %s\n", error.what());
+    return 2;
+  }
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
+  std::fputs("identify_logs: standard output cannot be written\n", stderr);
+  return 1;
 }
