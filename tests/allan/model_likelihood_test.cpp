@@ -145,7 +145,8 @@ TEST_CASE("A start without a term leads to the model with it") {
   const LogFit log(biased(5), 50);
   const Result white = log.likelihood.maximise({NoiseTerm::white});
   const Result best = log.likelihood.maximise(white_and_bias);
-  CHECK_THAT(log.likelihood.near(white_and_bias, white).objective, WithinAbs(best.objective, 2e-3));
+  // Two parabolas end within a tenth of a standard error of the time: 0.1² in −2·log-likelihood.
+  CHECK_THAT(log.likelihood.near(white_and_bias, white).objective, WithinAbs(best.objective, 1e-2));
   // And a start with another term to the model without it.
   CHECK_THAT(log.likelihood.near({NoiseTerm::white}, best).objective, WithinAbs(white.objective, 1e-6));
 }
