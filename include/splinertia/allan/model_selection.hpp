@@ -19,8 +19,8 @@ namespace splinertia::allan {
 /// few independent periods looks like a ramp more often than Gaussian theory says. What costs up to 6 more than the
 /// best is as good a description as far as this log can tell: a term more has to gain 9, which one that is not there
 /// does in one log in 700 (Wilks; at the border θ = 0), and the truth, if it is one of the models, is among the
-/// descriptions in 99 % of logs (measured: docs/allan.md). So what all descriptions have in common is in the log with
-/// that confidence, and what only some have may be in it or not.
+/// descriptions in 99 % of logs (measured: docs/performance.md). So what all descriptions have in common is in the log
+/// with that confidence, and what only some have may be in it or not.
 template <typename Scalar>
 class ModelSelection {
  public:

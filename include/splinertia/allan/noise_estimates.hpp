@@ -19,7 +19,8 @@ struct Estimate {
   /// At the confidence that was asked for; lower is zero for what is not detected, upper its limit.
   Interval<Scalar> interval{};
   Interval<Scalar> one_sigma{};  ///< at 68.27 %
-  /// Every description of the log has it. It would be by chance in at most 1 % of logs; but for white noise beside
+  /// Every description of the log has it. It is by chance in at most 1.5 % of logs of whatever else there is (measured,
+  /// docs/performance.md), but beside bands that were left out; and but for white noise beside
   /// quantization noise alone, whose ends look like N = 2Q/√duration.
   bool detected = false;
   /// Some descriptions have it and others, which this log cannot tell from them, do not: `value` is what it is in the
