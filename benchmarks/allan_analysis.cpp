@@ -18,10 +18,12 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/expected_accuracy.hpp>
 #include <splinertia/allan/fit_curve.hpp>
 #include <splinertia/allan/identify.hpp>
+#include <splinertia/allan/steps.hpp>
 #include <splinertia/allan/streaming.hpp>
 #include <splinertia/imu/bias_instability.hpp>
 #include <splinertia/imu/error_model.hpp>
@@ -87,6 +89,8 @@ const std::vector<double>& kernel_signal(std::size_t calls) {
 void run_integration(std::size_t calls) { benchmark::keep(IntegratedSignal(kernel_signal(calls), rate)); }
 
 void run_overlapping(std::size_t calls) { benchmark::keep(allan::overlapping(kernel_signal(calls), rate)); }
+
+void run_identify(std::size_t calls) { benchmark::keep(identify(kernel_signal(calls), rate)); }
 
 void run_streaming(std::size_t calls) {
   StreamingAllanDeviation<double> streaming(rate);
@@ -203,6 +207,8 @@ void print_speed(bool csv, const Settings& settings) {
                   }});
   jobs.push_back(
       {"identify", "a sample: identify() from the signal", samples, [&] { benchmark::keep(identify(y, rate)); }});
+  jobs.push_back({"find_steps", "a sample: find_steps() from sums", samples, [&] { benchmark::keep(find_steps(x)); }});
+  jobs.push_back({"analyse", "a sample: analyse(), all together", samples, [&] { benchmark::keep(analyse(y, rate)); }});
   const auto of_y = allan::overlapping(y, rate);
   jobs.push_back(
       {"fit_curve", "a sample: fit_curve() of the curve", samples, [&] { benchmark::keep(fit_curve(of_y)); }});
@@ -492,8 +498,10 @@ void analyse(const std::filesystem::path& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<benchmark::Kernel> kernels{
-      {"integrated_signal", run_integration}, {"overlapping", run_overlapping}, {"streaming_push", run_streaming}};
+  const std::vector<benchmark::Kernel> kernels{{"integrated_signal", run_integration},
+                                               {"overlapping", run_overlapping},
+                                               {"streaming_push", run_streaming},
+                                               {"identify", run_identify}};
   Settings settings;
   CLI::Option *samples = nullptr, *csv = nullptr;
   benchmark::Extension extension;

@@ -56,19 +56,12 @@ bool read_log(std::vector<double>& log) {
                               std::to_string(expected));
 }
 
-/// If the model is true, the ratio of the variances times the degrees of freedom is chi-square, and the cube root of
-/// the ratio normal (Wilson and Hilferty, PNAS 17 (1931)).
 void add_misfit(const allan::IntegratedSignal<double>& signal, const allan::NoiseEstimates<double>& noise,
                 Misfit& misfit) {
-  using Deviation = allan::OverlappingAllanDeviation;
-  for (const auto& point : allan::curve<Deviation>(signal, {.alpha = 0}).points) {
-    const int alpha = allan::ruling_power_law(noise.descriptions.front(), point.tau, noise.duration);
-    const double freedom =
-        allan::degrees_of_freedom<Deviation>(alpha, point.factor, signal.samples(), allan::PhaseModel::sampled);
-    const double ratio = point.deviation / noise.deviation(point.tau), spread = 2 / (9 * freedom);
-    const double excess = (std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread);
-    misfit.above = std::max(misfit.above, -excess);
-    misfit.below = std::max(misfit.below, excess);
+  for (const auto& point : allan::curve<allan::OverlappingAllanDeviation>(signal, {.alpha = 0}).points) {
+    const double off = allan::compare_deviation(point, signal.samples(), noise).off;
+    misfit.above = std::max(misfit.above, -off);
+    misfit.below = std::max(misfit.below, off);
   }
 }
 

@@ -106,7 +106,7 @@ class Findings {
                                 band.ratio),
                       true});
     }
-    if (!analysis_.used_to_the_end) {
+    if (!analysis_.used_to_the_end()) {
       all_.push_back(
           {"unused", noise_.highest_frequency, rate_ / 2, "Hz",
            formatted("above %.4g Hz it is left out, as asked or because it is not white (a low-pass filter, vibration, "

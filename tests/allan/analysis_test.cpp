@@ -58,7 +58,7 @@ TEST_CASE("A good log is adequate") {
     CHECK(result.freezes.empty());
     CHECK_FALSE(result.resolution.has_value());
     CHECK(result.rounding == RoundingEffect::none);
-    CHECK(result.used_to_the_end);
+    CHECK(result.used_to_the_end());
     check_white_noise(result);
     walks += result.noise.K.detected ? 1 : 0;  // in some logs it may forget
     CHECK((result.noise.K.detected || result.noise.K.possible));
@@ -170,7 +170,7 @@ TEST_CASE("A resonance is left out, and the log is partly described") {
     check_white_noise(result);
     check_undetected(result, {K, B, Q, R, G, W});
     CHECK(result.noise.Q.interval.upper < density / std::sqrt(3 * rate));  // what all of a sample's noise could be
-    CHECK(result.used_to_the_end);
+    CHECK(result.used_to_the_end());
     CHECK(result.adequacy() == Adequacy::partial);
     CHECK_FALSE(result.misfits.empty());  // the curve has what was left out
     for (const auto& misfit : result.misfits) CHECK(misfit.ratio > 1);
@@ -181,7 +181,7 @@ TEST_CASE("Where a filter's end is left out the log is partly described") {
   Values y = log_with(1);
   low_pass(y, 0.4);
   const Result result = analyse(y, rate);
-  CHECK_FALSE(result.used_to_the_end);
+  CHECK_FALSE(result.used_to_the_end());
   CHECK(result.adequacy() == Adequacy::partial);
   CHECK(analyse(log_with(1), rate, {.highest_frequency = 20}).adequacy() == Adequacy::partial);
 }
@@ -212,6 +212,8 @@ TEST_CASE("What does not fit is inadequate, and only white noise is detected") {
 
 TEST_CASE("Adequacy by what is wrong") {
   Result result{.curve = {}, .noise = {}};
+  result.curve.rate = rate;
+  result.noise.highest_frequency = rate / 2;
   result.noise.fits = true;
   CHECK(result.adequacy() == Adequacy::adequate);
   const auto with = [&](const auto& change) {
@@ -226,7 +228,7 @@ TEST_CASE("Adequacy by what is wrong") {
   CHECK(with([](Result& r) { r.misfits.push_back({}); }) == Adequacy::inadequate);
   CHECK(with([](Result& r) { r.steps.push_back({}); }) == Adequacy::partial);
   CHECK(with([](Result& r) { r.noise.excluded.push_back({}); }) == Adequacy::partial);
-  CHECK(with([](Result& r) { r.used_to_the_end = false; }) == Adequacy::partial);
+  CHECK(with([](Result& r) { r.noise.highest_frequency = r.curve.rate / 3; }) == Adequacy::partial);
   CHECK(with([](Result& r) { r.stillness.disturbed = 1; }) == Adequacy::partial);
   const auto both = [](Result& r) {
     r.steps.push_back({});

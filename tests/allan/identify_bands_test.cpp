@@ -184,9 +184,8 @@ TEST_CASE("Bands that cannot be are refused") {
   CHECK(refusal({.excluded = {{-1, 2}}}) == "identify: excluded band is -1, expected a finite number >= 0");
   CHECK(refusal({.excluded = {{1, std::numeric_limits<double>::quiet_NaN()}}}) ==
         "identify: upper end of an excluded band is nan, expected more than its lower end");
-  CHECK(refusal({.excluded = {{0.01, 50}}}) ==
-        "identify: the excluded bands leave too little, expected four octaves or more");
-  CHECK(refusal({.excluded = {{0, 1}, {0.5, 60}}}) ==
-        "identify: the excluded bands leave too little, expected four octaves or more");
+  CHECK(refusal({.excluded = {{0.01, 50}}}).starts_with("identify: the excluded bands leave "));
+  CHECK(refusal({.excluded = {{0.01, 50}}}).ends_with(" bins of the spectrum, expected at least 64"));
+  CHECK(refusal({.excluded = {{0, 1}, {0.5, 60}}}).starts_with("identify: the excluded bands leave 0 of "));
   CHECK(refusal({.excluded = {{1, 2}}}) == "nothing thrown");
 }

@@ -41,10 +41,12 @@ struct Analysis {
   Saturation saturation{};
   std::optional<Scalar> resolution{};  ///< unit of the signal, if it shows
   RoundingEffect rounding = RoundingEffect::none;
-  bool used_to_the_end = true;  ///< no octaves at the upper end of the spectrum were left out
+
+  /// No octaves at the upper end of the spectrum were left out.
+  [[nodiscard]] bool used_to_the_end() const { return noise.highest_frequency >= curve.rate / 2; }
 
   [[nodiscard]] Adequacy adequacy() const {
-    const bool left_out = !noise.excluded.empty() || !used_to_the_end;
+    const bool left_out = !noise.excluded.empty() || !used_to_the_end();
     if (!noise.fits || !freezes.empty() || rounding == RoundingEffect::invalid) return Adequacy::inadequate;
     if (saturation.samples() > 0 || knocks_matter()) return Adequacy::inadequate;
     if (!left_out && steps.empty() && stillness.disturbed == 0)
@@ -57,7 +59,7 @@ struct Analysis {
   [[nodiscard]] bool knocks_matter() const {
     if (!steps.empty()) return false;
     const auto blocks = static_cast<double>(stillness.blocks), disturbed = static_cast<double>(stillness.disturbed);
-    return disturbed * stillness.worst_ratio * stillness.worst_ratio > 0.02 * blocks;
+    return disturbed * stillness.worst_ratio * stillness.worst_ratio * 50 > blocks;
   }
 };
 
@@ -96,7 +98,6 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
   constexpr std::int64_t least_block = 20, most_block = 1'000'000'000;
   const auto second = static_cast<double>(std::min(signal.rate(), static_cast<Scalar>(most_block)));
   result.stillness = measure_stillness(samples, std::max(least_block, static_cast<std::int64_t>(std::llround(second))));
-  result.used_to_the_end = result.noise.highest_frequency >= signal.rate() / 2;
   result.misfits = deviation_misfits(result.curve, result.noise);
   using enum NoiseTerm;
   if (!result.steps.empty() || !result.freezes.empty()) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
+#include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/fit_bands.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/model_likelihood.hpp>
@@ -25,7 +25,7 @@ class BandSelection {
 
   /// A ratio of powers that is off by less is no misfit.
   static constexpr Scalar tolerance = Scalar(5) / 1000;
-  /// What chance does once in two thousand logs: there are some 5000 windows.
+  /// What chance does at most once in a thousand logs: there are some 5000 windows.
   static constexpr Scalar most_off = Scalar(21) / 4;
 
   BandSelection(const Spectrum& spectrum, Scalar highest, const std::vector<Interval<Scalar>>& excluded)
@@ -65,7 +65,7 @@ class BandSelection {
     widen();
   }
 
-  /// Leaves out a window and what is about it. Returns whether there was something to leave out.
+  /// Leaves out a window and what is about it.
   void leave_out(const Window& window) {
     mark(window.begin, window.end);
     widen();
@@ -114,10 +114,9 @@ class BandSelection {
                                power.begin() + static_cast<std::ptrdiff_t>(end));
       const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
       std::nth_element(near.begin(), middle, near.end());
-      // The cube root of a mean of squares is all but normal (FitBands); its median is that of the mean but for this.
-      const Scalar variance = 2 / (9 * bins[i].count);
-      const Scalar ratio = power[i] / *middle * (1 - 3 * variance);
-      if (ratio > 2 && std::cbrt(ratio) > 1 - variance + most_deviations * std::sqrt(variance)) mark(i, i + 1);
+      // The median of a mean of squares is lower than their expectation by this, to first order in 1/count.
+      const Scalar ratio = power[i] / *middle * (1 - 2 / (3 * bins[i].count));
+      if (ratio > 2 && chi_square_deviation(ratio, bins[i].count) > most_deviations) mark(i, i + 1);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
@@ -53,10 +54,31 @@ template <typename Scalar>
   return square * tau / (6 * static_cast<Scalar>(m) * static_cast<Scalar>(m));
 }
 
+/// How a point of a curve of the overlapping Allan deviation compares with the best description.
+template <typename Scalar>
+struct DeviationComparison {
+  Scalar ratio{};  ///< measured over model
+  Scalar off{};    ///< standard normal if the model is true: then the square of the ratio is that of a mean of squares
+};
+
+/// Of a point of the curve of the signal whose estimates these are.
+template <typename Scalar>
+[[nodiscard]] DeviationComparison<Scalar> compare_deviation(const CurvePoint<Scalar>& point, std::int64_t samples,
+                                                            const NoiseEstimates<Scalar>& noise) {
+  const auto& description = noise.descriptions.front();
+  const Scalar model =
+      std::hypot(noise.deviation(point.tau), std::sqrt(sampled_variance(description, point.factor, point.tau)));
+  if (!(model > 0) || !(point.deviation > 0)) return {Scalar(1), Scalar(0)};
+  const int alpha = ruling_power_law(description, point.tau, noise.duration);
+  const auto freedom = static_cast<Scalar>(
+      degrees_of_freedom<OverlappingAllanDeviation>(alpha, point.factor, samples, PhaseModel::sampled));
+  const Scalar ratio = point.deviation / model;
+  return {ratio, chi_square_deviation(ratio * ratio, freedom)};
+}
+
 /// Where the overlapping Allan deviation of a log is off that of the best description by more than chance explains, as
-/// four standard deviations of a normal number: if the model is true, the ratio of the squares times the degrees of
-/// freedom is chi-square, and its cube root normal (Wilson and Hilferty, PNAS 17 (1931)). Points with the same sign
-/// that are less than an octave apart are one misfit. The curve is of the signal whose estimates these are.
+/// four standard deviations of a normal number. Points with the same sign that are less than an octave apart are one
+/// misfit. The curve is of the signal whose estimates these are.
 template <typename Scalar>
 [[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const Curve<Scalar>& curve,
                                                                      const NoiseEstimates<Scalar>& noise) {
@@ -64,28 +86,20 @@ template <typename Scalar>
   std::vector<DeviationMisfit<Scalar>> misfits;
   Scalar worst_off = 0, last_sign = 0;
   for (const auto& point : curve.points) {
-    const Scalar model = std::hypot(noise.deviation(point.tau),
-                                    std::sqrt(sampled_variance(noise.descriptions.front(), point.factor, point.tau)));
-    if (!(model > 0) || !(point.deviation > 0)) continue;
-    const int alpha = ruling_power_law(noise.descriptions.front(), point.tau, noise.duration);
-    const auto freedom = static_cast<Scalar>(
-        degrees_of_freedom<OverlappingAllanDeviation>(alpha, point.factor, curve.samples, PhaseModel::sampled));
-    const Scalar ratio = point.deviation / model, spread = 2 / (9 * freedom);
-    const Scalar off = (std::cbrt(ratio * ratio) - (1 - spread)) / std::sqrt(spread);
-    const Scalar sign = off > most_off ? Scalar(1) : off < -most_off ? Scalar(-1) : Scalar(0);
-    if (sign != 0 && (sign != last_sign || point.tau > 2 * misfits.back().longest)) {
+    const auto [ratio, off] = compare_deviation(point, curve.samples, noise);
+    if (std::abs(off) <= most_off) continue;
+    const Scalar sign = std::copysign(Scalar(1), off);
+    if (sign != last_sign || point.tau > 2 * misfits.back().longest) {
       misfits.push_back({point.tau, point.tau, point.tau, ratio});
       worst_off = 0;
     }
-    if (sign != 0) {
-      misfits.back().longest = point.tau;
-      if (std::abs(off) > worst_off) {
-        worst_off = std::abs(off);
-        misfits.back().worst = point.tau;
-        misfits.back().ratio = ratio;
-      }
+    misfits.back().longest = point.tau;
+    if (std::abs(off) > worst_off) {
+      worst_off = std::abs(off);
+      misfits.back().worst = point.tau;
+      misfits.back().ratio = ratio;
     }
-    if (sign != 0) last_sign = sign;
+    last_sign = sign;
   }
   return misfits;
 }

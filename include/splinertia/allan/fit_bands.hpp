@@ -2,12 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <splinertia/allan/chi_square.hpp>
+#include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/spectral_fit.hpp>
 #include <vector>
@@ -92,27 +90,18 @@ class FitBands {
              12 * bins_[end].frequency <= 13 * bins_[begin].frequency) {
         ++end;
       }
-      Scalar power = 0, expected = 0, count = 0;
-      for (std::size_t i = begin; i < end; ++i) {
-        power += all_[i].residual / bins_[i].basis[0];
-        expected += all_[i].expected * bins_[i].count / bins_[i].basis[0];
-        count += bins_[i].count;
-      }
-      points.push_back({(bins_[begin].frequency + bins_[end - 1].frequency) / 2, std::sqrt(power / count) * scale,
-                        std::sqrt(expected / count) * scale, count, included[begin]});
+      const Sums sums = sums_of(begin, end);
+      points.push_back({(bins_[begin].frequency + bins_[end - 1].frequency) / 2,
+                        std::sqrt(sums.power / sums.count) * scale, std::sqrt(sums.expected / sums.count) * scale,
+                        sums.count, included[begin]});
     }
     return points;
   }
 
   /// The bins [begin, end) together.
   [[nodiscard]] BandFit<Scalar> band(std::size_t begin, std::size_t end) const {
-    Scalar power = 0, expected = 0, count = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      power += all_[i].residual / bins_[i].basis[0];
-      expected += all_[i].expected * bins_[i].count / bins_[i].basis[0];
-      count += bins_[i].count;
-    }
-    return {{bins_[begin].frequency, bins_[end - 1].frequency}, power / expected, std::sqrt(2 / count)};
+    const Sums sums = sums_of(begin, end);
+    return {{bins_[begin].frequency, bins_[end - 1].frequency}, sums.power / sums.expected, std::sqrt(2 / sums.count)};
   }
 
   /// How often chance makes octaves, up and down, deviate from their model at least as much as these, if the model was
@@ -128,20 +117,25 @@ class FitBands {
   }
 
  private:
-  /// The signed root of the likelihood ratio of a mean of `count` squares, corrected to the third moment, which is all
-  /// but normal (Barndorff-Nielsen, Biometrika 73 (1986)): tails within 13 % for one square, 2 % from four on, up and
-  /// down. Zero within the tolerance.
+  /// Over bins, of the power of the signal itself: that of its differences over what white noise of 1 has.
+  struct Sums {
+    Scalar power = 0, expected = 0, count = 0;
+  };
+  [[nodiscard]] Sums sums_of(std::size_t begin, std::size_t end) const {
+    Sums sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      sums.power += all_[i].residual / bins_[i].basis[0];
+      sums.expected += all_[i].expected * bins_[i].count / bins_[i].basis[0];
+      sums.count += bins_[i].count;
+    }
+    return sums;
+  }
+
+  /// Zero within the tolerance, and what is beyond it.
   [[nodiscard]] static Scalar deviation(Scalar sum, Scalar count, Scalar tolerance) {
-    const Scalar least = std::numeric_limits<Scalar>::min();
-    const Scalar ratio = std::max(sum / count, least);
+    const Scalar ratio = sum / count;
     if (std::abs(ratio - 1) <= tolerance) return 0;
-    const Scalar beyond = ratio > 1 ? ratio - tolerance : ratio + tolerance, excess = beyond - 1;
-    const Scalar linear = std::sqrt(count / 2) * excess;
-    // x − ln(1 + x) cancels for small x.
-    const bool small = std::abs(excess) < Scalar(1) / 1000;
-    const Scalar divergence = small ? excess * excess * (Scalar(1) / 2 - excess / 3) : excess - std::log(beyond);
-    const Scalar root = std::copysign(std::sqrt(count * divergence), excess);
-    return root == 0 ? Scalar(0) : root + std::log(linear / root) / root;
+    return chi_square_deviation(ratio > 1 ? ratio - tolerance : ratio + tolerance, count);
   }
   [[nodiscard]] Scalar deviation(Scalar sum, Scalar count) const { return deviation(sum, count, tolerance_); }
 

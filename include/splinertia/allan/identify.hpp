@@ -113,12 +113,15 @@ class Identification {
                                           " Hz, expected more than eight times the lowest of the log, ", first, " Hz"));
     }
     if (!options_.excluded.empty() && !enough()) {
-      throw std::invalid_argument("identify: the excluded bands leave too little, expected four octaves or more");
+      throw std::invalid_argument(message("identify: the excluded bands leave ", bands_.count(), " of ",
+                                          spectrum_.bins().size(), " bins of the spectrum, expected at least ",
+                                          fewest));
     }
   }
 
   /// Enough of a spectrum is left to say something.
-  [[nodiscard]] bool enough() const { return bands_.count() >= std::min<std::size_t>(64, spectrum_.bins().size()); }
+  static constexpr std::size_t fewest = 64;
+  [[nodiscard]] bool enough() const { return bands_.count() >= std::min(fewest, spectrum_.bins().size()); }
 
   /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
   /// does if that end is left out.

@@ -185,10 +185,11 @@ class ModelEstimates {
       return false;
     }
     const bool trend = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up;
+    const Scalar reach = result.excluded.empty() || trend ? Scalar(0) : 4 * highest_slow_frequency();
     return std::none_of(result.excluded.begin(), result.excluded.end(), [&](const BandFit<Scalar>& band) {
       // A band of the power that it should have was left out by hand.
       if (band.ratio > Scalar(4) / 5 && band.ratio < Scalar(5) / 4) return false;
-      return trend || band.frequencies.lower < 4 * highest_slow_frequency();
+      return trend || band.frequencies.lower < reach;
     });
   }
 
@@ -278,12 +279,11 @@ class ModelEstimates {
   /// A height depends on the decay time, which has an interval of its own: so far as heights go over that.
   [[nodiscard]] Interval<Scalar> warm_up_interval(const Model& model, const ProfileLikelihood<Scalar>& profile,
                                                   Scalar confidence) const {
-    using Times = typename Fit::Times;
     const auto& likelihood = selection_.likelihood();
     Interval<Scalar> whole = trend_interval(NoiseTerm::warm_up, model, confidence);
-    const auto range = profile.time(&Times::decay, likelihood.decay_times(), confidence);
+    const auto range = profile.time(&Fit::Times::decay, likelihood.decay_times(), confidence);
     for (const Scalar decay : {range.lower, range.upper}) {
-      Times times = model.result.times;
+      auto times = model.result.times;
       times.decay = decay;
       const Result at = likelihood.at(model.terms, times, model.result);
       const Scalar height = trend_in_units(NoiseTerm::warm_up, trend_size(at), at);

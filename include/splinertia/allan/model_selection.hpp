@@ -33,8 +33,7 @@ class ModelSelection {
     Scalar cost;
   };
 
-  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates)
-      : likelihood_(fit), candidates_(candidates), settled_(fit.spectrum().duration()) {
+  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates) : likelihood_(fit), candidates_(candidates) {
     using enum NoiseTerm;
     std::vector<NoiseTerms> sets;
     for (unsigned number = 1; number < NoiseTerms::sets; ++number) {
@@ -58,7 +57,7 @@ class ModelSelection {
       add(terms);
     }
     std::stable_sort(models_.begin(), models_.end(), [](const Model& a, const Model& b) { return a.cost < b.cost; });
-    look_for_drift(fit);
+    look_for_drift();
   }
 
   [[nodiscard]] const Likelihood& likelihood() const { return likelihood_; }
@@ -136,8 +135,10 @@ class ModelSelection {
   [[nodiscard]] bool plausible(const Model& model) const { return model.cost <= best_cost_ + margin; }
 
   /// A mean besides the white and quantization noise of the best model.
-  void look_for_drift(const SpectralFit<Scalar>& fit) {
+  void look_for_drift() {
     using enum NoiseTerm;
+    using Fit = SpectralFit<Scalar>;
+    const Fit& fit = likelihood_.fit();
     const Model& best = models_.front();
     const NoiseTerms slow = best.terms.without(white).without(quantization);
     const bool still = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
@@ -149,8 +150,9 @@ class ModelSelection {
     std::vector<Scalar> expected;
     const auto& theta = best.result.theta;
     for (const auto& bin : fit.spectrum().bins()) {
-      const Scalar power = bin.basis[0] * theta[0] + bin.basis[3] * theta[SpectralFit<Scalar>::place(quantization)];
-      expected.push_back(std::max(power, SpectralFit<Scalar>::floor()));
+      Scalar power = 0;
+      for (const NoiseTerm term : {white, quantization}) power += bin.basis[Fit::place(term)] * theta[Fit::place(term)];
+      expected.push_back(std::max(power, Fit::floor()));
     }
     auto drift = best_drift(fit.spectrum(), fit.included(), expected);
     const Scalar fast = price * static_cast<Scalar>(count(best.terms) - count(slow));
@@ -176,7 +178,9 @@ class ModelSelection {
       const bool idle = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
         return model.terms == ramp && model.result.objective - result.objective < price;
       });
-      if (idle || (!candidates_.has(NoiseTerm::rate_ramp) && result.times.decay > settled_)) return;
+      // Without a ramp among the candidates, one that does not settle within the log.
+      const bool unsettled = result.times.decay > likelihood_.fit().spectrum().duration();
+      if (idle || (!candidates_.has(NoiseTerm::rate_ramp) && unsettled)) return;
     }
     const Scalar cost = result.objective + prices;
     best_cost_ = models_.empty() ? cost : std::min(best_cost_, cost);
@@ -185,7 +189,6 @@ class ModelSelection {
 
   Likelihood likelihood_;
   NoiseTerms candidates_;
-  Scalar settled_;  ///< longest decay time that is none of a ramp, where no ramp is a candidate, s
   std::vector<Model> models_;
   Scalar best_cost_{};
   std::optional<DeterministicDrift<Scalar>> drift_;
