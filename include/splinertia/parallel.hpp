@@ -4,6 +4,8 @@
 /// their thread library: CMake's Threads::Threads.)
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <concepts>

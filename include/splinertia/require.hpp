@@ -3,7 +3,7 @@
 #pragma once
 
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <stdexcept>
 
 namespace splinertia {
@@ -12,7 +12,7 @@ namespace splinertia {
 /// what was expected, unless `good`.
 template <typename Scalar>
 constexpr void require(bool good, const char* whose, const char* parameter, const Scalar& value, const char* expected) {
-  if (!good) throw std::invalid_argument(message(whose, ": ", parameter, " is ", value, ", expected ", expected));
+  if (!good) refuse<std::invalid_argument>(whose, ": ", parameter, " is ", value, ", expected ", expected);
 }
 
 template <typename Scalar>

@@ -3,6 +3,8 @@
 /// alone.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/deviation_misfit.hpp>

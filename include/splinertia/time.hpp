@@ -2,6 +2,8 @@
 /// Time is `double` (or another floating-point type), in seconds, or an integer std::chrono::duration since an epoch.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <chrono>
 #include <cmath>
 #include <concepts>

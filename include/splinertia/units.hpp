@@ -7,6 +7,8 @@
 /// What a figure means is another matter (one-sided density? Allan floor?): see imu/noise_densities.hpp.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <numbers>
 
 namespace splinertia::units {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <splinertia/adapters/ceres_manifold.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/imu_covariance.hpp>
 #include <splinertia/strapdown/preintegration_residual.hpp>
 #include <stdexcept>
@@ -21,16 +21,16 @@ namespace splinertia {
 [[nodiscard]] inline Eigen::Matrix<double, 15, 15> square_root_information(const ImuCovariance<double>& covariance) {
   using Matrix15 = Eigen::Matrix<double, 15, 15>;
   const Matrix15 P = covariance.matrix();
-  const auto refuse = [](Eigen::Index i, const char* why) {
+  const auto singular = [](Eigen::Index i, const char* why) {
     constexpr const char* parts[] = {"attitude", "velocity", "position", "gyro bias", "accel bias"};
-    throw std::invalid_argument(message("square_root_information: ", "the covariance is singular, ", parts[i / 3],
-                                        " component ", i % 3, ' ', why,
-                                        "; expected noise densities > 0 and at least two steps"));
+    refuse<std::invalid_argument>("square_root_information: ", "the covariance is singular, ", parts[i / 3],
+                                  " component ", i % 3, ' ', why,
+                                  "; expected noise densities > 0 and at least two steps");
   };
   // Units aside: P = D C D with ones on the diagonal of C = L Lᵀ.
   Eigen::Matrix<double, 15, 1> d;
   for (Eigen::Index i = 0; i < 15; ++i) {
-    if (!(P(i, i) > 0 && P(i, i) <= std::numeric_limits<double>::max())) refuse(i, "has no variance");
+    if (!(P(i, i) > 0 && P(i, i) <= std::numeric_limits<double>::max())) singular(i, "has no variance");
     d[i] = 1 / std::sqrt(P(i, i));
   }
   const Matrix15 C = d.asDiagonal() * P * d.asDiagonal();
@@ -40,7 +40,7 @@ namespace splinertia {
     for (Eigen::Index j = 0; j < i; ++j) L(i, j) = (C(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
     // What is left of its variance when those before it are known.
     const double left = 1 - L.row(i).head(i).squaredNorm();
-    if (!(left > rounding)) refuse(i, "follows from those before it");
+    if (!(left > rounding)) singular(i, "follows from those before it");
     L(i, i) = std::sqrt(left);
   }
   Matrix15 W = d.asDiagonal();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <utility>
@@ -52,8 +52,8 @@ class AveragingFactors {
     if (grid_ == Grid::given) {
       for (const std::int64_t m : given_) {
         if (m < 1 || m > largest) {
-          throw std::invalid_argument(
-              message("Allan analysis: averaging factor ", m, " is outside the data, expected 1 to ", largest));
+          refuse<std::invalid_argument>("Allan analysis: averaging factor ", m, " is outside the data, expected 1 to ",
+                                        largest);
         }
       }
       result = given_;

@@ -2,6 +2,8 @@
 /// Stamps that tell when packets of samples arrived, not when the samples were taken.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

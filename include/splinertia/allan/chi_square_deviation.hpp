@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 namespace splinertia::allan {
 
 /// A sum whose rounding error does not grow with the number of summands: each addition's error is found exactly

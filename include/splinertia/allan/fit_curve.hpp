@@ -13,7 +13,7 @@
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <string>
@@ -35,8 +35,7 @@ class CurveFit {
 
   explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
-      throw std::invalid_argument(
-          message("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev"));
+      refuse<std::invalid_argument>("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev");
     }
     for (const auto& point : curve.points) {
       require_positive("fit_curve", "tau", point.tau);
@@ -46,8 +45,8 @@ class CurveFit {
       longest_ = std::max(longest_, point.tau);
     }
     if (curve.points.size() < 2 || !(unit_ > 0)) {
-      throw std::invalid_argument(
-          message("fit_curve: ", curve.points.size(), " points, expected at least 2, and a deviation above zero"));
+      refuse<std::invalid_argument>("fit_curve: ", curve.points.size(),
+                                    " points, expected at least 2, and a deviation above zero");
     }
     require_positive("fit_curve", "rate", curve.rate);
     const auto count = static_cast<Eigen::Index>(curve.points.size());
@@ -187,7 +186,7 @@ template <typename Scalar>
                                                Scalar confidence = Scalar(95) / 100) {
   require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence, "a number between 0 and 1");
   for (const NoiseTerm term : {NoiseTerm::gauss_markov, NoiseTerm::warm_up}) candidates = candidates.without(term);
-  if (candidates.empty()) throw std::invalid_argument("fit_curve: no candidates, expected a noise term");
+  if (candidates.empty()) refuse<std::invalid_argument>("fit_curve: no candidates, expected a noise term");
   const CurveFit<Scalar> fit(curve);
   const Scalar detection = std::sqrt(chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
   NoiseTerms model = candidates;

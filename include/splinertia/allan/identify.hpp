@@ -16,7 +16,7 @@
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/pooled_spectrum.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <utility>
@@ -100,7 +100,7 @@ class Identification {
       alone = alone.without(term);
     }
     if (alone.empty()) {
-      throw std::invalid_argument(
+      refuse<std::invalid_argument>(
           "identify: candidates, expected white noise, walk, flicker or quantization among them");
     }
     return options;
@@ -109,13 +109,12 @@ class Identification {
   void require_enough() const {
     const Scalar first = spectrum_.bins().front().frequency;
     if (options_.highest_frequency > 0 && !(options_.highest_frequency > 8 * first)) {
-      throw std::invalid_argument(message("identify: highest_frequency is ", options_.highest_frequency,
-                                          " Hz, expected more than eight times the lowest of the log, ", first, " Hz"));
+      refuse<std::invalid_argument>("identify: highest_frequency is ", options_.highest_frequency,
+                                    " Hz, expected more than eight times the lowest of the log, ", first, " Hz");
     }
     if (!options_.excluded.empty() && !enough()) {
-      throw std::invalid_argument(message("identify: the excluded bands leave ", bands_.count(), " of ",
-                                          spectrum_.bins().size(), " bins of the spectrum, expected at least ",
-                                          fewest));
+      refuse<std::invalid_argument>("identify: the excluded bands leave ", bands_.count(), " of ",
+                                    spectrum_.bins().size(), " bins of the spectrum, expected at least ", fewest);
     }
   }
 
@@ -212,11 +211,11 @@ template <Signal S>
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<DifferenceSpectrum<Scalar>>& axes,
                                                      const IdentifyOptions<Scalar>& options = {}) {
-  if (axes.empty()) throw std::invalid_argument("identify_pooled: no axes");
+  if (axes.empty()) refuse<std::invalid_argument>("identify_pooled: no axes");
   for (const auto& axis : axes) {
     if (axis.rate() != axes[0].rate() || axis.samples() != axes[0].samples()) {
-      throw std::invalid_argument(message("identify_pooled: an axis has ", axis.samples(), " samples at ", axis.rate(),
-                                          " Hz, expected ", axes[0].samples(), " at ", axes[0].rate(), " Hz"));
+      refuse<std::invalid_argument>("identify_pooled: an axis has ", axis.samples(), " samples at ", axis.rate(),
+                                    " Hz, expected ", axes[0].samples(), " at ", axes[0].rate(), " Hz");
     }
   }
   return Identification<Scalar>(axes, options).estimates();

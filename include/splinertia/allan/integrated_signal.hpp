@@ -12,7 +12,7 @@
 #include <limits>
 #include <splinertia/allan/compensated_sum.hpp>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -106,7 +106,7 @@ class IntegratedSignal {
     require_positive("Allan analysis", "rate", rate_);
     const std::ptrdiff_t count = std::distance(std::begin(values), std::end(values));
     if (count < fewest) {
-      throw std::invalid_argument(message("Allan analysis: ", count, " values, expected at least ", fewest));
+      refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ", fewest);
     }
     const auto n = static_cast<std::size_t>(count);
     sums_.reserve(zeros + n);
@@ -157,12 +157,12 @@ class IntegratedSignal {
     std::int64_t place = 0;
     auto value = std::begin(values);
     for (; is_finite(static_cast<Scalar>(*value)); ++value) ++place;
-    throw std::invalid_argument(message("Allan analysis: value ", place, " is ", *value, ", expected a finite number"));
+    refuse<std::invalid_argument>("Allan analysis: value ", place, " is ", *value, ", expected a finite number");
   }
 
   [[noreturn]] static void refuse_constant(Scalar value) {
-    throw std::invalid_argument(
-        message("Allan analysis: the signal is constant (", value, "): a sensor that is stuck, or no noise at all"));
+    refuse<std::invalid_argument>("Allan analysis: the signal is constant (", value,
+                                  "): a sensor that is stuck, or no noise at all");
   }
 
   Scalar rate_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 namespace splinertia::allan {
 
 /// A confidence interval of an estimate, in the unit of the estimate.

@@ -14,7 +14,7 @@
 #include <splinertia/allan/bursts.hpp>
 #include <splinertia/allan/missing_samples.hpp>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -83,7 +83,7 @@ struct StampIntervals {
       ++index;
     }
     if (durations.size() < 2) {
-      throw std::invalid_argument(message("sampling: ", index, " stamps, expected at least 3"));
+      refuse<std::invalid_argument>("sampling: ", index, " stamps, expected at least 3");
     }
     total = seconds<double>(*last - *first - left_out);
   }
@@ -93,15 +93,15 @@ struct StampIntervals {
                     const std::optional<Time>& last) {
     if constexpr (std::floating_point<Time>) {
       if (!is_finite(time)) {
-        throw std::invalid_argument(message("sampling: stamp ", index, " is ", time, ", expected a finite number"));
+        refuse<std::invalid_argument>("sampling: stamp ", index, " is ", time, ", expected a finite number");
       }
     } else if (first && *first < Time::zero() && time > Time::max() + *first) {
-      throw std::invalid_argument(message("sampling: stamp ", index, " is ", printable(time), " and the first ",
-                                          printable(*first), ", expected a difference that their type can hold"));
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), " and the first ",
+                                    printable(*first), ", expected a difference that their type can hold");
     }
     if (last && !(*last < time)) {
-      throw std::invalid_argument(message("sampling: stamp ", index, " is ", printable(time), " after ",
-                                          printable(*last), ", expected increasing stamps"));
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), " after ", printable(*last),
+                                    ", expected increasing stamps");
     }
   }
 };
@@ -219,21 +219,20 @@ void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limit
     std::array<char, 100> text{};
     std::snprintf(text.data(), text.size(), "%.3g samples %.3g s apart, one every %.4g s", bursts.samples,
                   bursts.spacing, bursts.period);
-    throw std::invalid_argument(message("sampling: the stamps come in bursts of ", text.data(),
-                                        ": they are arrival times of packets and no sample is missing, expected the "
-                                        "times of the samples"));
+    refuse<std::invalid_argument>("sampling: the stamps come in bursts of ", text.data(),
+                                  ": they are arrival times of packets and no sample is missing, expected the "
+                                  "times of the samples");
   }
   if (sampling.jitter > limits.jitter * sampling.nominal_interval && !limits.arrival_times) {
-    throw std::invalid_argument(message("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
-                                        sampling.nominal_interval, " s, expected at most ", limits.jitter * 100,
-                                        " % of it"));
+    refuse<std::invalid_argument>("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
+                                  sampling.nominal_interval, " s, expected at most ", limits.jitter * 100, " % of it");
   }
   if (sampling.missing_share() > limits.missing) {
-    throw std::invalid_argument(message("sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
-                                        sampling.gaps == 1 ? " gap" : " gaps", ", the longest of ",
-                                        sampling.longest.duration, " s after sample ", sampling.longest.index,
-                                        " at time ", printable(sampling.longest.time), ", expected at most ",
-                                        limits.missing * 100, " % of ", sampling.samples + sampling.missing));
+    refuse<std::invalid_argument>("sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
+                                  sampling.gaps == 1 ? " gap" : " gaps", ", the longest of ", sampling.longest.duration,
+                                  " s after sample ", sampling.longest.index, " at time ",
+                                  printable(sampling.longest.time), ", expected at most ", limits.missing * 100,
+                                  " % of ", sampling.samples + sampling.missing);
   }
 }
 

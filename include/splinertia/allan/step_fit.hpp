@@ -2,6 +2,8 @@
 /// When and by how much a signal changed its mean: the second half of find_steps().
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

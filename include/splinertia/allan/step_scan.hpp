@@ -2,6 +2,8 @@
 /// Where a signal may have changed its mean: the first half of find_steps().
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

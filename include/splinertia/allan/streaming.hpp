@@ -20,7 +20,7 @@
 #include <splinertia/allan/degrees_of_freedom.hpp>
 #include <splinertia/allan/deviations.hpp>
 #include <splinertia/allan/noise_type.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -110,7 +110,7 @@ class StreamingAllanDeviation {
     requires std::is_arithmetic_v<Sample>
   void push(Sample sample) {
     const Scalar value = static_cast<Scalar>(sample) - offset_.value_or(static_cast<Scalar>(sample));
-    if (!(std::abs(value) <= largest_value)) refuse(sample);
+    if (!(std::abs(value) <= largest_value)) refuse_sample(sample);
     if (samples_ == 0) {
       offset_ = offset_.value_or(static_cast<Scalar>(sample));
       first_ = value;
@@ -134,11 +134,11 @@ class StreamingAllanDeviation {
                                     PhaseModel phase_model = PhaseModel::greenhall_riley) const {
     using Deviation = OverlappingAllanDeviation;
     if (samples_ < 3) {
-      throw std::invalid_argument(message("Allan analysis: ", samples_, " values, expected at least 3"));
+      refuse<std::invalid_argument>("Allan analysis: ", samples_, " values, expected at least 3");
     }
     if (constant_) {
-      throw std::invalid_argument(message("Allan analysis: the signal is constant (", *offset_ + first_,
-                                          "): a sensor that is stuck, or no noise at all"));
+      refuse<std::invalid_argument>("Allan analysis: the signal is constant (", *offset_ + first_,
+                                    "): a sensor that is stuck, or no noise at all");
     }
     const Scalar mean = *offset_ + sum_.value() / static_cast<Scalar>(samples_);
     Curve<Scalar> result{Deviation::name, rate_, samples_, mean, confidence, {}};
@@ -209,9 +209,9 @@ class StreamingAllanDeviation {
   [[nodiscard]] std::size_t octaves() const { return steps + levels_.size() - 1; }
 
   template <typename Sample>
-  [[noreturn]] void refuse(const Sample& sample) const {
-    throw std::invalid_argument(message("Allan analysis: value ", samples_, " is ", sample,
-                                        ", expected a number within ", largest_value, " of the offset"));
+  [[noreturn]] void refuse_sample(const Sample& sample) const {
+    refuse<std::invalid_argument>("Allan analysis: value ", samples_, " is ", sample, ", expected a number within ",
+                                  largest_value, " of the offset");
   }
 
   /// 2⁴³¹ for double: n squares of 2 m times this, with m and n up to 2⁵³, are representable.

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <numbers>
 #include <splinertia/allan/degrees_of_freedom.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
 
@@ -93,8 +93,8 @@ struct TotalSquares {
   require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
   require(rates >= 2, name, "number of rates", rates, "an integer >= 2");
   if (m < 1 || m > rates / 2) {
-    throw std::invalid_argument(
-        message(name, ": averaging factor m is ", m, ", expected 1 to ", rates / 2, ", half the number of rates"));
+    refuse<std::invalid_argument>(name, ": averaging factor m is ", m, ", expected 1 to ", rates / 2,
+                                  ", half the number of rates");
   }
   if (model == PhaseModel::greenhall_riley && alpha <= 0 && alpha >= -2) {
     const double ratio = static_cast<double>(rates) / static_cast<double>(m);

@@ -3,6 +3,8 @@
 /// compiler: within a few percent of the best polynomial of its degree on a whole interval.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <array>
 #include <cstddef>
 

@@ -3,6 +3,8 @@
 /// used.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <array>
 #include <bit>
 #include <cstdint>

@@ -5,6 +5,8 @@
 /// samples wherever the compiler does not contract the terms' own products and sums (-ffp-contract=off, or no FMA).
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <bit>
 #include <cmath>
 #include <concepts>

@@ -13,8 +13,8 @@
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/imu.hpp>
 #include <splinertia/imu/imu_errors.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/motion/trajectory.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -54,16 +54,16 @@ class Simulation {
         start_(options.start.value_or(motion_.start())),
         end_(options.end.value_or(motion_.end())) {
     if (!(rate_ > 0 && rate_ <= std::numeric_limits<double>::max())) {
-      throw std::invalid_argument(message("simulate: rate is ", rate_, " Hz, expected a positive finite number"));
+      refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected a positive finite number");
     }
     if (!(motion_.start() <= start_ && start_ <= end_ && end_ <= motion_.end())) {
-      throw std::invalid_argument(message("simulate: samples wanted from ", printable(start_), " to ", printable(end_),
-                                          ", the motion is defined from ", printable(motion_.start()), " to ",
-                                          printable(motion_.end())));
+      refuse<std::invalid_argument>("simulate: samples wanted from ", printable(start_), " to ", printable(end_),
+                                    ", the motion is defined from ", printable(motion_.start()), " to ",
+                                    printable(motion_.end()));
     }
     const double duration = seconds<double>(end_ - start_);
     if (!(duration <= std::numeric_limits<double>::max())) {
-      throw std::invalid_argument("simulate: the motion has no bounds, expected options .start and .end");
+      refuse<std::invalid_argument>("simulate: the motion has no bounds, expected options .start and .end");
     }
     // A sample that rounding alone puts behind the end still belongs to the run.
     const double intervals = duration * rate_;

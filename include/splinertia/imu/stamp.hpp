@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 namespace splinertia {
 
 /// The time stamp of a sample on its way through the error terms of a clock, as Sample is for a sensor: what the host

@@ -2,6 +2,8 @@
 /// Numbers as eight bytes, the lowest first, whatever the machine has. Compilers make one instruction of each.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>

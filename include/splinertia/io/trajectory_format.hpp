@@ -2,6 +2,8 @@
 /// How the text of a trajectory file is to be read.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <array>
 #include <cstddef>
 #include <filesystem>

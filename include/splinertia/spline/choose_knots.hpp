@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/fit.hpp>
 #include <stdexcept>
 #include <utility>
@@ -21,8 +21,8 @@ template <LieGroup G>
 void check_goal(const char* whose, const Tangent<G>& goal) {
   for (int i = 0; i < goal.size(); ++i) {
     if (is_finite(goal[i]) && goal[i] > ScalarOf<G>(0)) continue;
-    throw std::invalid_argument(
-        message(whose, ": component ", i, " of the goal is ", goal[i], ", expected a finite number > 0"));
+    refuse<std::invalid_argument>(whose, ": component ", i, " of the goal is ", goal[i],
+                                  ", expected a finite number > 0");
   }
 }
 
@@ -84,9 +84,9 @@ template <typename Curve, StampedPoses Poses>
     enough = enough < most ? std::min(2 * enough, most) : most + 1;
   }
   if (enough > most) {
-    throw std::runtime_error(message("coarsest_knot_interval: with knots ", interval_of(most),
-                                     " s apart, as many as there are poses, the residuals still are up to ",
-                                     reached.cwiseQuotient(goal).maxCoeff(), " times the goal"));
+    refuse<std::runtime_error>("coarsest_knot_interval: with knots ", interval_of(most),
+                               " s apart, as many as there are poses, the residuals still are up to ",
+                               reached.cwiseQuotient(goal).maxCoeff(), " times the goal");
   }
   while (enough - too_few > std::max<std::size_t>(1, enough / 20)) {
     const std::size_t middle = too_few + (enough - too_few) / 2;

@@ -14,8 +14,8 @@
 #include <span>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/motion/motion.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <stdexcept>
 #include <utility>
@@ -117,8 +117,8 @@ template <LieGroup G, int Order>
 template <int Order, LieGroup G>
 [[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> exactly(std::span<const G> control_points) {
   if (control_points.size() != static_cast<std::size_t>(Order)) {
-    throw std::invalid_argument(
-        message("a curve of order ", Order, " is shaped by as many control points, not by ", control_points.size()));
+    refuse<std::invalid_argument>("a curve of order ", Order, " is shaped by as many control points, not by ",
+                                  control_points.size());
   }
   return control_points.template first<static_cast<std::size_t>(Order)>();
 }

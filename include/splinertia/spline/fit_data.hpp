@@ -9,7 +9,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/fit_options.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -56,7 +56,7 @@ template <typename Curve, StampedPoses Poses>
   using G = typename Curve::Group;
   using Time = typename Curve::Time;
   const auto fault = [&](std::size_t i, const auto&... text) {
-    throw std::invalid_argument(message(whose, ": pose ", i, text...));
+    refuse<std::invalid_argument>(whose, ": pose ", i, text...);
   };
   std::vector<Stamped<G, Time>> data;
   data.reserve(std::ranges::size(poses));
@@ -85,8 +85,8 @@ template <typename Curve, StampedPoses Poses>
   }
   if constexpr (!std::floating_point<Time>) {
     if (!data.empty() && data.front().time < Time(0) && data.back().time > Time::max() + data.front().time) {
-      throw std::invalid_argument(message(whose, ": poses from ", printable(data.front().time), " to ",
-                                          printable(data.back().time), " span more ticks than 64 bits count"));
+      refuse<std::invalid_argument>(whose, ": poses from ", printable(data.front().time), " to ",
+                                    printable(data.back().time), " span more ticks than 64 bits count");
     }
   }
   return data;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/curve_ends.hpp>
 #include <splinertia/spline/curve_model.hpp>
 #include <splinertia/spline/fit_data.hpp>
@@ -36,10 +36,10 @@ template <typename Curve>
     for (std::size_t i = 0; i < n; ++i) {
       const double off = seconds<double>(poses[i].time - knots.knot(i, Curve::order));
       if (!(std::abs(off) <= 0.25 * seconds<double>(knots.interval))) {
-        throw std::invalid_argument(message("interpolate: pose ", i, " is ", off, " s from its place ",
-                                            seconds<double>(knots.interval),
-                                            " s apart from the others, expected evenly spaced poses for UniformKnots; "
-                                            "take NonUniformKnots"));
+        refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its place ",
+                                      seconds<double>(knots.interval),
+                                      " s apart from the others, expected evenly spaced poses for UniformKnots; "
+                                      "take NonUniformKnots");
       }
     }
     return {knots, n + k - 2};
@@ -74,7 +74,7 @@ template <typename Curve, StampedPoses Poses>
   const auto data = fit_data<Curve>(poses, "interpolate");
   const std::size_t least = ends.condition == EndCondition::not_a_knot ? Curve::order : 2;
   if (data.size() < least) {
-    throw std::invalid_argument(message("interpolate: ", data.size(), " poses, expected at least ", least));
+    refuse<std::invalid_argument>("interpolate: ", data.size(), " poses, expected at least ", least);
   }
   auto [knots, control_points] = interpolation_knots<Curve>(data, ends.condition);
   Curve curve = poses_at_control_points<Curve>(data, std::move(knots), control_points);
@@ -93,7 +93,7 @@ template <typename Curve, StampedPoses Poses>
   const Scalar off = residuals_of(data, curve, all).max;
   using std::sqrt;
   if (!minimum.converged || !(off <= sqrt(epsilon) * (Scalar(1) + extent) / Scalar(64))) {
-    throw std::runtime_error(message("interpolate: no curve found through all poses, the best is off by up to ", off));
+    refuse<std::runtime_error>("interpolate: no curve found through all poses, the best is off by up to ", off);
   }
   return curve;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <splinertia/spline/fit_data.hpp>
 #include <splinertia/spline/fit_options.hpp>
@@ -26,32 +26,31 @@ void check(const FitOptions<Curve>& options, std::size_t poses) {
     for (int i = 0; i < values.size(); ++i) positive = positive && values[i] > 0 && is_finite(values[i]);
     return positive;
   };
-  if (poses < 2) throw std::invalid_argument(message("fit: ", poses, " poses, expected at least 2"));
+  if (poses < 2) refuse<std::invalid_argument>("fit: ", poses, " poses, expected at least 2");
   if (options.knots && options.knot_interval) {
-    throw std::invalid_argument("fit: expected knot_interval or knots, and not both");
+    refuse<std::invalid_argument>("fit: expected knot_interval or knots, and not both");
   }
   if (options.knot_interval) require_positive("fit", "knot_interval", *options.knot_interval);
   if (options.standard_deviation && !all_positive(*options.standard_deviation)) {
-    throw std::invalid_argument("fit: expected every component of standard_deviation to be a finite number > 0");
+    refuse<std::invalid_argument>("fit: expected every component of standard_deviation to be a finite number > 0");
   }
   if (!options.weights.empty() && options.weights.size() != poses) {
-    throw std::invalid_argument(
-        message("fit: ", options.weights.size(), " weights for ", poses, " poses, expected one each, or none"));
+    refuse<std::invalid_argument>("fit: ", options.weights.size(), " weights for ", poses,
+                                  " poses, expected one each, or none");
   }
   for (std::size_t i = 0; i < options.weights.size(); ++i) {
     if (!(options.weights[i] >= 0) || !is_finite(options.weights[i])) {
-      throw std::invalid_argument(
-          message("fit: weight ", i, " is ", options.weights[i], ", expected a finite number >= 0"));
+      refuse<std::invalid_argument>("fit: weight ", i, " is ", options.weights[i], ", expected a finite number >= 0");
     }
   }
   if (options.smoothness) {
     const int derivative = options.smoothness->derivative;
     if (derivative < 2 || derivative > 3 || derivative >= Curve::order) {
-      throw std::invalid_argument(message("fit: smoothness of derivative ", derivative,
-                                          ", expected 2 or 3, and less than the order, ", Curve::order));
+      refuse<std::invalid_argument>("fit: smoothness of derivative ", derivative,
+                                    ", expected 2 or 3, and less than the order, ", Curve::order);
     }
     if (!all_positive(options.smoothness->density)) {
-      throw std::invalid_argument("fit: expected every component of smoothness.density to be a finite number > 0");
+      refuse<std::invalid_argument>("fit: expected every component of smoothness.density to be a finite number > 0");
     }
   }
   require_positive("fit", "outlier_limit", options.outlier_limit);
@@ -96,8 +95,8 @@ template <typename Curve>
     const double segments = std::max(1.0, std::ceil(quotient * (1 - 1e-9)));
     const double most = 100 * static_cast<double>(poses.size());
     if (!(segments <= most)) {
-      throw std::invalid_argument(message("fit: knots ", interval, " s apart over ", span, " s are more than ", most,
-                                          ", a hundred times the poses; expected them further apart"));
+      refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s are more than ", most,
+                                    ", a hundred times the poses; expected them further apart");
     }
     return static_cast<std::size_t>(segments);
   };
@@ -116,17 +115,17 @@ template <typename Curve>
     for (auto pose = poses.rbegin(); pose != poses.rend() && pose->time > end; ++pose) pose->time = end;
   } else {
     if (knots.knots.size() < 2 * k) {
-      throw std::invalid_argument(
-          message("fit: ", knots.knots.size(), " knots, expected at least ", 2 * k, ", twice the order of the curve"));
+      refuse<std::invalid_argument>("fit: ", knots.knots.size(), " knots, expected at least ", 2 * k,
+                                    ", twice the order of the curve");
     }
     control_points = knots.knots.size() - k;
     knots.check(control_points, Curve::order);
   }
   const auto domain = knots.domain(control_points, Curve::order);
   if (first < domain.start || poses.back().time > domain.end) {
-    throw std::invalid_argument(message("fit: poses from ", printable(first), " to ", printable(last),
-                                        ", but the knots reach from ", printable(domain.start), " to ",
-                                        printable(domain.end), "; expected them to reach over all poses"));
+    refuse<std::invalid_argument>("fit: poses from ", printable(first), " to ", printable(last),
+                                  ", but the knots reach from ", printable(domain.start), " to ", printable(domain.end),
+                                  "; expected them to reach over all poses");
   }
   return {std::move(knots), control_points};
 }

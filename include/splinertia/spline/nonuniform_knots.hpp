@@ -8,7 +8,7 @@
 #include <span>
 #include <splinertia/finite.hpp>
 #include <splinertia/lanes.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/spline/nonuniform_basis.hpp>
 #include <splinertia/time.hpp>
@@ -42,30 +42,30 @@ struct NonUniformKnots {
   void check(std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
     if (knots.size() != control_points + k) {
-      throw std::invalid_argument(message("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k,
-                                          ": ", control_points, " control points and the order, ", order));
+      refuse<std::invalid_argument>("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k, ": ",
+                                    control_points, " control points and the order, ", order);
     }
     for (std::size_t i = 0; i < knots.size(); ++i) {
       if (!is_finite(knots[i])) {
-        throw std::invalid_argument(
-            message("NonUniformKnots: knot ", i, " is ", printable(knots[i]), ", expected a finite number"));
+        refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", printable(knots[i]),
+                                      ", expected a finite number");
       }
       if (i > 0 && knots[i] < knots[i - 1]) {
-        throw std::invalid_argument(message("NonUniformKnots: knot ", i, " is ", printable(knots[i]),
-                                            ", expected at least ", printable(knots[i - 1]), ", the knot before it"));
+        refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", printable(knots[i]), ", expected at least ",
+                                      printable(knots[i - 1]), ", the knot before it");
       }
     }
     const auto [start, end] = domain(control_points, order);
     if (!(start < end)) {
-      throw std::invalid_argument(message("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
-                                          printable(start), ", expected a curve to be between them"));
+      refuse<std::invalid_argument>("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
+                                    printable(start), ", expected a curve to be between them");
     }
     for (std::size_t i = k; i + k - 1 < control_points; ++i) {
       if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
-        throw std::invalid_argument(message("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
-                                            k > 2 ? " are all " : " are both ", printable(knots[i]),
-                                            ", which would tear the curve; expected at most ", k - 1,
-                                            " inside its domain, the order less one"));
+        refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
+                                      k > 2 ? " are all " : " are both ", printable(knots[i]),
+                                      ", which would tear the curve; expected at most ", k - 1,
+                                      " inside its domain, the order less one");
       }
     }
   }

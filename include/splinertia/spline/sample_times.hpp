@@ -8,7 +8,7 @@
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/lanes.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 
@@ -57,8 +57,8 @@ SampleTimes(T, T) -> SampleTimes<T>;
 template <TimePoint Time>
 inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count, Time start, Time end) {
   if (!(times.interval > Time{}) || !is_finite(times.interval)) {
-    throw std::invalid_argument(
-        message("sample: interval is ", printable(times.interval), ", expected a positive finite number"));
+    refuse<std::invalid_argument>("sample: interval is ", printable(times.interval),
+                                  ", expected a positive finite number");
   }
   if (count == 0) return;
   const Time last = times(count - 1);
@@ -67,9 +67,8 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
     rounding = 4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(times.start), std::abs(end));
   }
   if (!(times.start >= start && last >= times.start && last - rounding <= end)) {
-    throw std::out_of_range(message("sample: ", count, " samples from ", printable(times.start), " to ",
-                                    printable(last), ", the curve is defined from ", printable(start), " to ",
-                                    printable(end)));
+    refuse<std::out_of_range>("sample: ", count, " samples from ", printable(times.start), " to ", printable(last),
+                              ", the curve is defined from ", printable(start), " to ", printable(end));
   }
 }
 

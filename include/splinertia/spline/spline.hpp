@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/flatten.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/evaluate.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/spline/linearize.hpp>
@@ -48,13 +48,15 @@ class Spline {
   Spline(K knots, std::vector<G> control_points)
       : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
-      throw std::invalid_argument(message("Spline: ", control_points_.size(), " control points, expected at least ",
-                                          Order, ", the order of the curve"));
+      refuse<std::invalid_argument>("Spline: ", control_points_.size(), " control points, expected at least ", Order,
+                                    ", the order of the curve");
     }
     knots_.check(control_points_.size(), Order);
     for (std::size_t i = 0; i < control_points_.size(); ++i) control_points_[i] = on_group(control_points_[i], i);
     increments_.resize(control_points_.size() - 1);
-    for (std::size_t i = 0; i < increments_.size(); ++i) update_increment(i);
+    for (std::size_t i = 0; i < increments_.size(); ++i) {
+      increments_[i] = checked_increment(i, control_points_[i], control_points_[i + 1]);
+    }
   }
 
   /// The closed interval on which the curve is defined.
@@ -87,8 +89,8 @@ class Spline {
   template <int D>
   [[nodiscard]] Motion<G, D> at(Time t) const {
     if (!(t >= start() && t <= end())) {
-      throw std::out_of_range(message("Spline: no curve at time ", printable(t), ", it is defined from ",
-                                      printable(start()), " to ", printable(end())));
+      refuse<std::out_of_range>("Spline: no curve at time ", printable(t), ", it is defined from ", printable(start()),
+                                " to ", printable(end()));
     }
     return evaluate<D>(t);
   }
@@ -101,19 +103,16 @@ class Spline {
   [[nodiscard]] const std::vector<Tangent<G>>& increments() const { return increments_; }
 
   /// Moves control point i and renews the two increments that it touches. Requires i < control_points().size().
-  /// Throws std::invalid_argument as the
-  /// constructor does, and leaves the curve as it was.
+  /// Throws std::invalid_argument as the constructor does, and leaves the curve as it was.
   void set_control_point(std::size_t i, const G& x) {
     assert(i < control_points_.size());
-    const G old = std::exchange(control_points_[i], on_group(x, i));
-    try {
-      if (i > 0) update_increment(i - 1);
-      if (i < increments_.size()) update_increment(i);
-    } catch (...) {
-      control_points_[i] = old;
-      if (i > 0) update_increment(i - 1);
-      throw;
-    }
+    const G moved = on_group(x, i);
+    Tangent<G> before = Tangent<G>::Zero(), after = before;
+    if (i > 0) before = checked_increment(i - 1, control_points_[i - 1], moved);
+    if (i < increments_.size()) after = checked_increment(i, moved, control_points_[i + 1]);
+    control_points_[i] = moved;
+    if (i > 0) increments_[i - 1] = before;
+    if (i < increments_.size()) increments_[i] = after;
   }
 
  private:
@@ -133,8 +132,8 @@ class Spline {
       const Scalar drift = GroupTraits<G>::drift(x);
       if (drift <= rounding) return x;
       if (!(drift <= tolerance)) {
-        throw std::invalid_argument(message("Spline: control point ", i, " is off its group by ", drift,
-                                            ", expected at most ", tolerance, " (the norm of a rotation is 1)"));
+        refuse<std::invalid_argument>("Spline: control point ", i, " is off its group by ", drift,
+                                      ", expected at most ", tolerance, " (the norm of a rotation is 1)");
       }
       return GroupTraits<G>::normalized(x);
     } else {
@@ -142,17 +141,18 @@ class Spline {
     }
   }
 
-  void update_increment(std::size_t i) {
-    const Tangent<G> d = increment<G>(control_points_[i], control_points_[i + 1]);
+  /// From control point i, x, to the next, y.
+  [[nodiscard]] static Tangent<G> checked_increment([[maybe_unused]] std::size_t i, const G& x, const G& y) {
+    const Tangent<G> d = increment<G>(x, y);
     if constexpr (std::floating_point<Scalar>) {
       for (int row = 0; row < d.size(); ++row) {
         if (!std::isfinite(d[row])) {
-          throw std::invalid_argument(message("Spline: control points ", i, " and ", i + 1,
-                                              " are not both finite and of non-zero rotation part"));
+          refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
+                                        " are not both finite and of non-zero rotation part");
         }
       }
     }
-    increments_[i] = d;
+    return d;
   }
 
   K knots_;

@@ -9,7 +9,7 @@
 #include <splinertia/finite.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <splinertia/lanes.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/time.hpp>
@@ -37,10 +37,10 @@ struct UniformKnots {
   void check(std::size_t control_points, int order) const {
     const auto number = printable(interval);
     if (!(number > 0) || !is_finite(interval)) {
-      throw std::invalid_argument(message("UniformKnots: interval is ", number, ", expected a positive finite number"));
+      refuse<std::invalid_argument>("UniformKnots: interval is ", number, ", expected a positive finite number");
     }
     if (!is_finite(start)) {
-      throw std::invalid_argument(message("UniformKnots: start is ", printable(start), ", expected a finite number"));
+      refuse<std::invalid_argument>("UniformKnots: start is ", printable(start), ", expected a finite number");
     }
     const std::size_t segments = control_points - static_cast<std::size_t>(order) + 1;
     bool reached;
@@ -51,16 +51,16 @@ struct UniformKnots {
                 start <= Time::max() - static_cast<typename Time::rep>(segments) * interval;
     }
     if (!reached) {
-      throw std::invalid_argument(message("UniformKnots: ", segments, " segments of ", number, " from ",
-                                          printable(start), " on end later than any time that there is"));
+      refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " from ", printable(start),
+                                    " on end later than any time that there is");
     }
     if constexpr (std::floating_point<Time>) {
       const Time last = std::max(std::abs(start), std::abs(domain(control_points, order).end));
       const Time resolution = std::numeric_limits<Time>::epsilon() * last;
       if (interval < 4 * resolution) {
-        throw std::invalid_argument(message("UniformKnots: interval is ", interval, " s, but times of ", last,
-                                            " s are told apart by ", resolution,
-                                            " s only; expected a longer interval, or time as integers"));
+        refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times of ", last,
+                                      " s are told apart by ", resolution,
+                                      " s only; expected a longer interval, or time as integers");
       }
     }
   }

@@ -10,7 +10,7 @@
 #include <limits>
 #include <ranges>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <splinertia/spline/fit_data.hpp>
 #include <splinertia/spline/fit_options.hpp>
@@ -84,12 +84,12 @@ class InertialTerm {
     require_positive("InertialOptions", "the amount of gravity", options.calibration.gravity.norm());
     require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
     if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
-      throw std::invalid_argument(message("InertialOptions: time_offset is ", options.calibration.time_offset,
-                                          " s, expected at most largest_time_offset, ", options.largest_time_offset));
+      refuse<std::invalid_argument>("InertialOptions: time_offset is ", options.calibration.time_offset,
+                                    " s, expected at most largest_time_offset, ", options.largest_time_offset);
     }
     const auto& from = options.calibration;
     if (!from.gyro_bias.allFinite() || !from.accel_bias.allFinite() || !from.arm.p_BI.allFinite()) {
-      throw std::invalid_argument("InertialOptions: expected biases and lever arm to be finite");
+      refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
     }
     const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
     const double offset = options.estimate_time_offset ? 0 : options.calibration.time_offset;
@@ -98,12 +98,11 @@ class InertialTerm {
     for (const auto& sample : samples) {
       const Time time = as_time<Time>(sample.time);
       if (!is_finite(sample.time) || !sample.gyro.allFinite() || !sample.accel.allFinite()) {
-        throw std::invalid_argument(message("IMU sample ", i, " is not finite"));
+        refuse<std::invalid_argument>("IMU sample ", i, " is not finite");
       }
       if (i > 0 && !(time > before)) {
-        throw std::invalid_argument(message("IMU sample ", i, " is at time ", printable(time),
-                                            ", expected a later one than ", printable(before),
-                                            ", that of the sample before it"));
+        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", printable(time), ", expected a later one than ",
+                                      printable(before), ", that of the sample before it");
       }
       before = time;
       ++i;
@@ -115,9 +114,9 @@ class InertialTerm {
       samples_.push_back({time, sample.gyro, sample.accel});
     }
     if (samples_.empty()) {
-      throw std::invalid_argument(message("IMU: none of ", i, " samples is within the curve, which reaches from ",
-                                          printable(curve.start()), " to ", printable(curve.end()),
-                                          gaps.empty() ? "" : ", and outside its gaps"));
+      refuse<std::invalid_argument>("IMU: none of ", i, " samples is within the curve, which reaches from ",
+                                    printable(curve.start()), " to ", printable(curve.end()),
+                                    gaps.empty() ? "" : ", and outside its gaps");
     }
   }
 

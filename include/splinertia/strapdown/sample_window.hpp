@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
 #include <splinertia/strapdown/scheme.hpp>
 #include <splinertia/time.hpp>
@@ -99,7 +99,7 @@ class SampleWindow {
 
   // Out of the way of what is inlined, and given copies: whose address is taken stays in memory.
   [[noreturn, gnu::noinline, gnu::cold]] static void refuse(auto... parts) {
-    throw std::invalid_argument(message("integrate: ", parts...));
+    splinertia::refuse<std::invalid_argument>("integrate: ", parts...);
   }
 
   void check(Time time) {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/group/pose.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <stdexcept>
 #include <vector>
@@ -51,8 +51,8 @@ template <typename Scalar>
                                                          const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& to,
                                                          bool with_scale) {
   if (from.cols() != to.cols() || from.cols() < 3) {
-    throw std::invalid_argument(message("fit_similarity: ", from.cols(), " and ", to.cols(),
-                                        " points, expected the same number of both, and at least 3"));
+    refuse<std::invalid_argument>("fit_similarity: ", from.cols(), " and ", to.cols(),
+                                  " points, expected the same number of both, and at least 3");
   }
   using std::sqrt;
   const Scalar count = static_cast<Scalar>(from.cols());
@@ -61,7 +61,7 @@ template <typename Scalar>
   const Scalar variance_x = x.squaredNorm() / count, variance_y = y.squaredNorm() / count;
   const Matrix3<Scalar> covariance = y * x.transpose() / count;
   if (!is_finite(variance_x) || !is_finite(variance_y)) {
-    throw std::invalid_argument("fit_similarity: the points, or their squares, are not finite");
+    refuse<std::invalid_argument>("fit_similarity: the points, or their squares, are not finite");
   }
 
   const Eigen::JacobiSVD<Matrix3<Scalar>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -72,10 +72,10 @@ template <typename Scalar>
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon() *
                           (from.cwiseAbs().maxCoeff() * sqrt(variance_y) + to.cwiseAbs().maxCoeff() * sqrt(variance_x));
   if (!(d[1] + s[2] * d[2] > Scalar(16) * rounding)) {
-    throw std::invalid_argument(message("fit_similarity: ", from.cols(),
-                                        " points do not determine a rotation, expected some that are not on one line "
-                                        "(singular values of the covariance: ",
-                                        d[0], ' ', d[1], ' ', d[2], " m^2)"));
+    refuse<std::invalid_argument>("fit_similarity: ", from.cols(),
+                                  " points do not determine a rotation, expected some that are not on one line "
+                                  "(singular values of the covariance: ",
+                                  d[0], ' ', d[1], ' ', d[2], " m^2)");
   }
   const Eigen::Quaternion<Scalar> q(Matrix3<Scalar>(svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose()));
   SimilarityTransform<Scalar> result;
@@ -106,8 +106,8 @@ template <typename Scalar>
 [[nodiscard]] SimilarityTransform<Scalar> fit_yaw(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& from,
                                                   const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& to) {
   if (from.cols() != to.cols() || from.cols() < 2) {
-    throw std::invalid_argument(message("fit_yaw: ", from.cols(), " and ", to.cols(),
-                                        " points, expected the same number of both, and at least 2"));
+    refuse<std::invalid_argument>("fit_yaw: ", from.cols(), " and ", to.cols(),
+                                  " points, expected the same number of both, and at least 2");
   }
   using std::hypot;
   const Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
@@ -115,13 +115,13 @@ template <typename Scalar>
   const Eigen::Matrix<Scalar, 2, Eigen::Dynamic> y = (to.colwise() - mean_y).template topRows<2>();
   const Eigen::Matrix<Scalar, 2, 2> c = y * x.transpose();
   const Scalar sine = c(1, 0) - c(0, 1), cosine = c(0, 0) + c(1, 1), size = hypot(sine, cosine);
-  if (!is_finite(size)) throw std::invalid_argument("fit_yaw: the points, or their squares, are not finite");
+  if (!is_finite(size)) refuse<std::invalid_argument>("fit_yaw: the points, or their squares, are not finite");
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon() *
                           (from.cwiseAbs().maxCoeff() * y.norm() + to.cwiseAbs().maxCoeff() * x.norm());
   if (!(size > Scalar(16) * rounding)) {
-    throw std::invalid_argument(message("fit_yaw: ", from.cols(),
-                                        " points do not determine a rotation about z, expected some that are not one "
-                                        "above the other"));
+    refuse<std::invalid_argument>("fit_yaw: ", from.cols(),
+                                  " points do not determine a rotation about z, expected some that are not one "
+                                  "above the other");
   }
   SimilarityTransform<Scalar> result;
   result.rotation = detail::rotation_about_z(sine, cosine);
@@ -142,7 +142,7 @@ template <Pose G, TimePoint Time>
   using Scalar = ScalarOf<G>;
   using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
   count = std::min(count, pairs.size());
-  if (count == 0) throw std::invalid_argument("alignment: no pairs of poses");
+  if (count == 0) refuse<std::invalid_argument>("alignment: no pairs of poses");
   SimilarityTransform<Scalar> result;
   if (kind == Alignment::none) return result;
   if (kind == Alignment::origin || (kind == Alignment::yaw && count == 1)) {
@@ -152,7 +152,7 @@ template <Pose G, TimePoint Time>
       // The nearest rotation about z: its quaternion has the same ratio of z to w.
       const auto& q = result.rotation.unit_quaternion();
       if (q.w() == Scalar(0) && q.z() == Scalar(0)) {
-        throw std::invalid_argument("alignment: the first pair of attitudes does not determine a rotation about z");
+        refuse<std::invalid_argument>("alignment: the first pair of attitudes does not determine a rotation about z");
       }
       result.rotation = detail::rotation_about_z(Scalar(2) * q.w() * q.z(), q.w() * q.w() - q.z() * q.z());
     }

@@ -10,6 +10,7 @@
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -37,16 +38,16 @@ concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::si
 template <PoseRange Poses>
 void check_poses(const Poses& poses, std::string_view name) {
   const auto count = std::ranges::distance(poses);
-  if (count == 0) throw std::invalid_argument(message("associate: the ", name, " has no poses"));
+  if (count == 0) refuse<std::invalid_argument>("associate: the ", name, " has no poses");
   const auto first = std::ranges::begin(poses);
   for (auto i = count - count; i < count; ++i) {
     const auto& [time, pose] = first[i];
     if (!position(pose).allFinite() || !rotation(pose).unit_quaternion().coeffs().allFinite()) {
-      throw std::invalid_argument(message("associate: pose ", i, " of the ", name, " is not finite"));
+      refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is not finite");
     }
     if (!is_finite(time) || (i > 0 && !(time > first[i - 1].time))) {
-      throw std::invalid_argument(
-          message("associate: pose ", i, " of the ", name, " is at ", printable(time), ", expected increasing times"));
+      refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is at ", printable(time),
+                                    ", expected increasing times");
     }
   }
 }
@@ -71,7 +72,7 @@ template <PoseRange Reference, PoseRange Estimate>
 [[nodiscard]] auto associate(const Reference& reference, const Estimate& estimate, double max_difference = 0.01) {
   using Value = std::ranges::range_value_t<Reference>;
   if (!(max_difference >= 0) || !is_finite(max_difference)) {
-    throw std::invalid_argument(message("associate: maximum difference ", max_difference, " s, expected >= 0 s"));
+    refuse<std::invalid_argument>("associate: maximum difference ", max_difference, " s, expected >= 0 s");
   }
   check_poses(reference, "reference");
   check_poses(estimate, "estimate");
@@ -91,8 +92,8 @@ template <PoseRange Reference, PoseRange Estimate>
       return message(printable(std::ranges::begin(poses)->time), " to ",
                      printable(std::ranges::begin(poses)[std::ranges::distance(poses) - 1].time));
     };
-    throw std::invalid_argument(message("associate: no pose of the estimate (", span(estimate), ") is within ",
-                                        max_difference, " s of one of the reference (", span(reference), ")"));
+    refuse<std::invalid_argument>("associate: no pose of the estimate (", span(estimate), ") is within ",
+                                  max_difference, " s of one of the reference (", span(reference), ")");
   }
   return pairs;
 }

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <splinertia/finite.hpp>
 #include <splinertia/group/pose.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <splinertia/strapdown/trajectory_error.hpp>
 #include <splinertia/strapdown/trajectory_pairs.hpp>
@@ -40,9 +40,9 @@ template <Pose G, TimePoint Time>
                                                                std::type_identity_t<ScalarOf<G>> length,
                                                                std::size_t step = 10) {
   if (!(length > ScalarOf<G>(0)) || !is_finite(length)) {
-    throw std::invalid_argument(message("drift_errors: length ", length, " m, expected a length > 0"));
+    refuse<std::invalid_argument>("drift_errors: length ", length, " m, expected a length > 0");
   }
-  if (step == 0) throw std::invalid_argument("drift_errors: step 0, expected 1 or more");
+  if (step == 0) refuse<std::invalid_argument>("drift_errors: step 0, expected 1 or more");
   const auto path = reference_path(pairs);
   IndexPairs segments;
   for (std::size_t i = 0; i < path.size(); i += std::min(step, path.size() - i)) {

@@ -14,7 +14,7 @@
 #include <functional>
 #include <ranges>
 #include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/trajectory_alignment.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <splinertia/strapdown/trajectory_pairs.hpp>
@@ -87,10 +87,10 @@ template <std::ranges::input_range Errors, typename Part = std::identity>
   for (const auto& error : errors) {
     values.push_back(std::invoke(part, error));
     if (!is_finite(values.back())) {
-      throw std::invalid_argument(message("error_statistics: error ", values.size() - 1, " is not finite"));
+      refuse<std::invalid_argument>("error_statistics: error ", values.size() - 1, " is not finite");
     }
   }
-  if (values.empty()) throw std::invalid_argument("error_statistics: no errors");
+  if (values.empty()) refuse<std::invalid_argument>("error_statistics: no errors");
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   ErrorStatistics<Scalar> s{};

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <splinertia/finite.hpp>
 #include <splinertia/group/pose.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -32,8 +32,8 @@ enum class PairSelection { consecutive, all };
     for (std::size_t i = 0; i < size && size - i > delta; i += step) indices.emplace_back(i, i + delta);
   }
   if (indices.empty()) {
-    throw std::invalid_argument(message("index_pairs_by_frames: delta ", delta, ", expected 1 or more, and less than ",
-                                        size, ", which is how many poses there are"));
+    refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta, ", expected 1 or more, and less than ", size,
+                                  ", which is how many poses there are");
   }
   return indices;
 }
@@ -50,7 +50,7 @@ template <Pose G, TimePoint Time>
   using Scalar = ScalarOf<G>;
   using std::abs;
   if (!(delta > Scalar(0)) || !is_finite(delta)) {
-    throw std::invalid_argument(message("index_pairs_by_path: delta ", delta, " m, expected a length > 0"));
+    refuse<std::invalid_argument>("index_pairs_by_path: delta ", delta, " m, expected a length > 0");
   }
   const auto length = [&](std::size_t i) {
     return (position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm();
@@ -81,8 +81,8 @@ template <Pose G, TimePoint Time>
     }
   }
   if (indices.empty()) {
-    throw std::invalid_argument(
-        message("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta, " m of path apart"));
+    refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
+                                  " m of path apart");
   }
   return indices;
 }
@@ -97,7 +97,7 @@ template <Pose G, TimePoint Time>
                                              double tolerance = 0.1) {
   using std::abs;
   if (!(delta > 0) || !is_finite(delta)) {
-    throw std::invalid_argument(message("index_pairs_by_time: delta ", delta, " s, expected a duration > 0"));
+    refuse<std::invalid_argument>("index_pairs_by_time: delta ", delta, " s, expected a duration > 0");
   }
   IndexPairs indices;
   for (std::size_t i = 0; i + 1 < pairs.size();) {
@@ -112,8 +112,8 @@ template <Pose G, TimePoint Time>
     i = near && selection == PairSelection::consecutive ? j : i + 1;
   }
   if (indices.empty()) {
-    throw std::invalid_argument(
-        message("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta, " s apart"));
+    refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,
+                                  " s apart");
   }
   return indices;
 }

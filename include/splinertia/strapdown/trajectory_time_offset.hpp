@@ -11,6 +11,7 @@
 #include <splinertia/finite.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/angular_speed.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <splinertia/time.hpp>
@@ -208,11 +209,11 @@ template <PoseRange Reference, PoseRange Estimate>
   double window = options.window;
   if (window == 0) window = std::max({0.1, 4 * of_reference.median_interval(), 4 * of_estimate.median_interval()});
   if (!(window > 0) || !is_finite(window)) {
-    throw std::invalid_argument(message("estimate_time_offset: window ", window, " s, expected > 0 s"));
+    refuse<std::invalid_argument>("estimate_time_offset: window ", window, " s, expected > 0 s");
   }
   if (!(options.range > 0 && options.range <= 1e5 * window)) {
-    throw std::invalid_argument(
-        message("estimate_time_offset: range ", options.range, " s, expected > 0 s and at most ", 1e5 * window, " s"));
+    refuse<std::invalid_argument>("estimate_time_offset: range ", options.range, " s, expected > 0 s and at most ",
+                                  1e5 * window, " s");
   }
   std::string refusal;
   for (int tries = options.window == 0 ? 4 : 1; tries > 0; --tries, window *= 2) {
@@ -220,7 +221,7 @@ template <PoseRange Reference, PoseRange Estimate>
     if (result.refusal.empty()) return result.found;
     if (refusal.empty()) refusal = result.refusal;
   }
-  throw std::invalid_argument(message("estimate_time_offset: the motion does not show the offset: ", refusal));
+  refuse<std::invalid_argument>("estimate_time_offset: the motion does not show the offset: ", refusal);
 }
 
 }  // namespace splinertia

@@ -2,6 +2,8 @@
 /// Decimal numbers as programs write them, in integer arithmetic: twice as fast as std::from_chars of libstdc++.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <algorithm>
 #include <array>
 #include <bit>
