@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <ranges>
@@ -59,7 +60,9 @@ template <PoseRange Poses, TimePoint Time>
   const auto after = std::ranges::lower_bound(poses, time, {}, [](const auto& stamped) { return stamped.time; });
   if (after == first) return *after;
   const auto before = after - 1;
-  return after == std::ranges::end(poses) || time - before->time <= after->time - time ? *before : *after;
+  return after == std::ranges::end(poses) || time_between(before->time, time) <= time_between(time, after->time)
+             ? *before
+             : *after;
 }
 
 /// Pairs two trajectories by time: each pose of the shorter one (of the estimate, if they are of the same length) with
@@ -79,7 +82,7 @@ template <PoseRange Reference, PoseRange Estimate>
 
   std::vector<PosePair<decltype(Value::value), decltype(Value::time)>> pairs;
   const auto add = [&](const Value& r, const Value& e) {
-    const double difference = seconds<double>(r.time > e.time ? r.time - e.time : e.time - r.time);
+    const double difference = std::abs(seconds<double>(time_between(r.time, e.time)));
     if (difference <= max_difference) pairs.push_back({e.time, r.value, e.value});
   };
   if (std::ranges::size(estimate) > std::ranges::size(reference)) {
