@@ -173,7 +173,7 @@ TEMPLATE_TEST_CASE("Stamps increase strictly, however much they jitter", "", dou
     for (std::size_t i = 0; i < readings.size(); ++i) {
       if (i > 0) REQUIRE(readings[i].time > readings[i - 1].time);
       REQUIRE(readings[i].true_time == after(epoch, static_cast<double>(i) / 200));
-      squares += std::pow(seconds<double>(readings[i].time - readings[i].true_time), 2);
+      squares += std::pow(to_seconds<double>(readings[i].time - readings[i].true_time), 2);
     }
     if (jitter == 1e-5) CHECK(std::abs(std::sqrt(squares / 5000) / jitter - 1) < 0.05);
   }
@@ -194,8 +194,8 @@ TEMPLATE_TEST_CASE("Stamps that jitter increase strictly in files, without a lat
         for (std::size_t i = 0; i < readings.size(); ++i) {
           const auto& r = readings[i];
           if (i > 0) REQUIRE(to_nanoseconds(r.time) > to_nanoseconds(readings[i - 1].time));
-          const double elapsed = seconds<double>(r.true_time - after(TestType(0), start));
-          const double off = (seconds<double>(r.time - r.true_time) - 0.25 + 1e-4 * elapsed) / deviation;
+          const double elapsed = to_seconds<double>(r.true_time - after(TestType(0), start));
+          const double off = (to_seconds<double>(r.time - r.true_time) - 0.25 + 1e-4 * elapsed) / deviation;
           sum += off;
           squares += off * off;
         }

@@ -164,7 +164,7 @@ class Simulation {
   // Both ends, where they fall on a sample.
   [[nodiscard]] std::size_t count_samples() const {
     constexpr double most = std::min(0x1p53, static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max()));
-    const double duration = seconds<double>(end_ - start_), intervals = duration * rate_;
+    const double duration = to_seconds<double>(end_ - start_), intervals = duration * rate_;
     if (!(intervals < most)) {
       refuse<std::invalid_argument>("simulate: ", rate_, " Hz for ", duration, " s makes ", intervals,
                                     " samples, expected fewer than ", most);
@@ -184,7 +184,7 @@ class Simulation {
       // Three roundings of elapsed time and sum, each of two times: below 4 units in the last place.
       return static_cast<double>(4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(start_), std::abs(end_)));
     } else {
-      return seconds<double>(Time(1));
+      return to_seconds<double>(Time(1));
     }
   }
 
