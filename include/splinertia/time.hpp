@@ -27,7 +27,7 @@ concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
 
 /// A time difference in seconds. Differences are taken in the type of time, so that epoch stamps lose nothing.
 template <typename Scalar, TimePoint Time>
-[[nodiscard]] constexpr Scalar seconds(Time difference) {
+[[nodiscard]] constexpr Scalar to_seconds(Time difference) {
   if constexpr (std::floating_point<Time>) {
     return static_cast<Scalar>(difference);
   } else {
@@ -80,7 +80,7 @@ inline constexpr int time_bits = std::numeric_limits<typename Time::rep>::digits
 template <TimePoint Time, typename... Parts>
 [[noreturn]] void refuse_time(const Parts&... parts) {
   refuse<std::out_of_range>("time: ", parts..., " does not fit into ", time_bits<Time>, " bits of ticks of ",
-                            seconds<double>(Time(1)), " s");
+                            to_seconds<double>(Time(1)), " s");
 }
 }  // namespace detail
 
@@ -145,7 +145,7 @@ template <TimePoint Time, TimePoint From>
   if constexpr (std::same_as<Time, From>) {
     return t;
   } else if constexpr (std::floating_point<Time>) {
-    return seconds<Time>(t);
+    return to_seconds<Time>(t);
   } else if constexpr (std::floating_point<From>) {
     return to_ticks<Time>(t);
   } else {
@@ -154,7 +154,7 @@ template <TimePoint Time, TimePoint From>
     typename Time::rep ticks{};
     if (__builtin_mul_overflow(t.count(), Factor::num, &scaled) ||
         __builtin_add_overflow(scaled / Factor::den, 0, &ticks)) {
-      detail::refuse_time<Time>(seconds<double>(t), " s");
+      detail::refuse_time<Time>(to_seconds<double>(t), " s");
     }
     return Time(ticks);
   }

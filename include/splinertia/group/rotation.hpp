@@ -55,7 +55,7 @@ template <typename Scalar>
     using std::abs;
     Scalar largest = w;
     for (int i = 0; i < 3; ++i) largest = (std::max)(largest, Scalar(abs(v[i])));
-    if (largest > Real(0) && largest <= (Limits::max)()) {
+    if (n2 >= Real(0) && largest > Real(0) && largest <= (Limits::max)()) {
       return rotation_log_folded<Scalar>(v / largest, Scalar(w / largest));
     }
     return Vector3<Scalar>::Constant(Scalar(Limits::quiet_NaN()));

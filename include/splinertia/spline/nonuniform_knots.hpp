@@ -93,7 +93,7 @@ struct NonUniformKnots {
   [[nodiscard]] Time control_point_time(std::size_t i, int order) const {
     double sum = 0;
     for (std::size_t j = 1; j < static_cast<std::size_t>(order); ++j)
-      sum += seconds<double>(knots[i + j] - knots[i + 1]);
+      sum += to_seconds<double>(knots[i + j] - knots[i + 1]);
     return after(knots[i + 1], sum / (order - 1));
   }
 
@@ -107,10 +107,10 @@ struct NonUniformKnots {
   /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
   template <typename Scalar, int Order, int D>
   [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
-    const auto [s, near] = place(t, control_points, Order);
+    const auto [s, time] = place(t, control_points, Order);
     const std::span<const Time, 2 * static_cast<std::size_t>(Order) - 2> around(
         knots.data() + s + 1, 2 * static_cast<std::size_t>(Order) - 2);
-    return {s, nonuniform_basis<Order, D, Scalar>(around, near)};
+    return {s, nonuniform_basis<Order, D, Scalar>(around, time)};
   }
 
   /// Span s of a curve, prepared for many times in it.

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/motion/trajectory.hpp>
@@ -64,7 +65,7 @@ class MotionSamples {
     /// Sample i, or where H is G in lanes, those from i on.
     template <LieGroup H>
     void write(std::size_t i, const Motion<H, D>& m) const {
-      std::array<ScalarOf<H>, parameters> numbers;
+      FixedArray<ScalarOf<H>, parameters> numbers;
       write_parameters(m.value, numbers.data());
       rows_.template write<0, parameters>(i, numbers);
       if constexpr (D >= 1) rows_.template write<parameters, dof>(i, m.velocity);

@@ -101,7 +101,7 @@ template <Pose G, TimePoint Time>
   }
   IndexPairs indices;
   for (std::size_t i = 0; i + 1 < pairs.size();) {
-    const auto since = [&](const auto& pair) { return seconds<double>(time_between(pairs[i].time, pair.time)); };
+    const auto since = [&](const auto& pair) { return to_seconds<double>(time_between(pairs[i].time, pair.time)); };
     const auto miss = [&](auto at) { return abs(since(*at) - delta); };
     const auto next = pairs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     auto best = std::partition_point(next, pairs.end(), [&](const auto& pair) { return since(pair) < delta; });
