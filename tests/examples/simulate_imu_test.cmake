@@ -231,6 +231,12 @@ if(NOT imu MATCHES "^[234][0-9][0-9][0-9][0-9][0-9][0-9]," OR NOT truth MATCHES 
   message(FATAL_ERROR "the first stamp should be about 3 ms late:\n${imu}\n${truth}")
 endif()
 
+# Stamps that jitter by a fifth of the interval and by two keep their order in the file.
+foreach(jitter IN ITEMS 1 10)
+  file(WRITE "${out}/jitter.yaml" "stamps: [stamp_jitter: ${jitter} ms]\n")
+  run(0 "12001 samples" --errors "${out}/jitter.yaml" --duration 60 --output "${out}/jitter")
+endforeach()
+
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
 function(refuse pattern)

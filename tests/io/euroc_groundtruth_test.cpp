@@ -54,6 +54,14 @@ TEST_CASE("states read back to the same bits, written at once or one by one") {
     const auto pose = make_pose<Sophus::SE3d>(rotation(s.pose), position(s.pose));
     writer.append(RigidState{s.time, pose, s.velocity, s.gyro_bias, s.accel_bias});
   }
+  struct InSeconds {
+    double time;
+    SO3xR3<double> pose;
+    Eigen::Vector3d velocity, gyro_bias, accel_bias;
+  };
+  write_euroc_groundtruth(folder / "s.csv",
+                          std::vector<InSeconds>{{2.5, written[0].pose, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}});
+  CHECK(read_euroc_groundtruth(folder / "s.csv")[0].time == nanoseconds{2'500'000'000});
   CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
   writer.commit();
   CHECK(content(folder / "stream.csv") == content(folder / "gt.csv"));

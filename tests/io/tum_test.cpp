@@ -31,6 +31,20 @@ TEST_CASE("a trajectory reads back to the same bits") {
   CHECK(read_tum(folder / "few.txt").size() == 7);
 }
 
+TEST_CASE("a trajectory in seconds is written as the same in nanoseconds") {
+  const test::TemporaryDirectory folder;
+  std::vector<Line> written;
+  std::vector<Stamped<SO3xR3<double>, double>> in_seconds;
+  for (const Line& pose : test::awkward_trajectory(50)) {
+    const double time = static_cast<double>(written.size()) * 0.005 - 0.1;
+    written.push_back({to_nanoseconds(time), pose.value});
+    in_seconds.push_back({time, pose.value});
+  }
+  write_tum(folder / "ns.txt", written);
+  write_tum(folder / "s.txt", in_seconds);
+  CHECK(content(folder / "s.txt") == content(folder / "ns.txt"));
+}
+
 TEST_CASE("the columns are t tx ty tz qx qy qz qw") {
   const test::TemporaryDirectory folder;
   const auto poses = read_tum(folder.write("poses.txt",

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -18,8 +17,10 @@
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace splinertia {
@@ -35,11 +36,11 @@ class NpyImuWriter {
  public:
   explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, npy_imu_dtype) {}
 
-  /// One sample: anything with time (integer nanoseconds), gyro [rad/s] and accel [m/s²].
-  void append(const auto& sample)
-    requires std::convertible_to<decltype(sample.time), std::chrono::nanoseconds>
-  {
-    const std::chrono::nanoseconds time = sample.time;
+  /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
+  void append(const WithTime auto& sample) {
+    if constexpr (!is_integer_duration<std::remove_cvref_t<decltype(sample.time)>>)
+      refuse_unless_finite(static_cast<double>(sample.time));
+    const std::chrono::nanoseconds time = to_nanoseconds(sample.time);
     if (time_ && time <= *time_) {
       npy_.file().abandon();
       throw std::invalid_argument(message(npy_.file().path().string(), ": time ", time.count(), " ns follows ",
@@ -55,10 +56,14 @@ class NpyImuWriter {
   void commit() { npy_.commit(); }
 
  private:
+  void refuse_unless_finite(double value) {
+    if (!has_finite_bits(value)) npy_.file().refuse(value);
+  }
+
   [[nodiscard]] char* store(char* to, const auto& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = vector[axis];
-      if (!has_finite_bits(value)) npy_.file().refuse(value);
+      refuse_unless_finite(value);
       to = store_little_endian(to, value);
     }
     return to;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <concepts>
 #include <filesystem>
 #include <ranges>
@@ -19,10 +18,9 @@
 
 namespace splinertia {
 
-/// Has a `time` in integer nanoseconds and a pose T_WB of doubles as `value`.
+/// Has a `time` (WithTime) and a pose T_WB of doubles as `value`.
 template <typename T>
-concept StampedPose = requires(const T& stamped) {
-  { stamped.time } -> std::convertible_to<std::chrono::nanoseconds>;
+concept StampedPose = WithTime<T> && requires(const T& stamped) {
   { position(stamped.value) } -> std::same_as<const Vector3<double>&>;
 };
 
@@ -47,8 +45,8 @@ inline constexpr TableLayout tum_layout{.format = "a TUM trajectory",
 }
 
 /// Writes a TUM file pose by pose, in constant memory; the file appears with commit() and reads back to the same bits.
-/// Times have nine decimals and are exact. Members throw std::runtime_error if the file cannot be written,
-/// std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
+/// Times have nine decimals; those in nanoseconds are exact. Members throw std::runtime_error if the file cannot be
+/// written, std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
 class TumWriter {
  public:
   explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
