@@ -76,9 +76,9 @@ class SampleStamps {
     }
     SampleStamps result = begun();
     if (gaps_.longest) {
-      result.judge_by_longest(time, seconds<Scalar>(difference), index);
+      result.judge_by_longest(time, to_seconds<Scalar>(difference), index);
     } else {
-      result.judge_by_mean(time, seconds<Scalar>(difference), index, intervals - bridged_);
+      result.judge_by_mean(time, to_seconds<Scalar>(difference), index, intervals - bridged_);
     }
     return result;
   }
@@ -88,7 +88,7 @@ class SampleStamps {
   [[nodiscard]] Time last() const { return last_; }
   [[nodiscard]] std::size_t gaps() const { return bridged_; }
   /// From the last stamp to a later one, s.
-  [[nodiscard]] Scalar since_last(Time time) const { return seconds<Scalar>(elapsed(last_, time)); }
+  [[nodiscard]] Scalar since_last(Time time) const { return to_seconds<Scalar>(elapsed(last_, time)); }
 
  private:
   void judge_by_longest(Time time, const Scalar& interval, std::size_t index) {
@@ -106,7 +106,7 @@ class SampleStamps {
       if (interval > least) unquestioned_ = Interval(0);
       return;
     }
-    const Scalar mean = seconds<Scalar>(elapsed(origin_, last_)) / static_cast<Scalar>(intervals);
+    const Scalar mean = to_seconds<Scalar>(elapsed(origin_, last_)) / static_cast<Scalar>(intervals);
     if (intervals == 1 && mean > least && mean > many * interval) {  // then the first one was the gap
       if (gaps_.policy == GapPolicy::refuse) {
         refuse<std::invalid_argument>("integrate: sample ", index - 1, " at ", printable(last_), " comes ", mean,
@@ -149,7 +149,7 @@ class SampleStamps {
     }
     if constexpr (std::floating_point<Scalar>) {
       if constexpr (is_integer_duration<Time>) {
-        const Scalar ticks = *gaps_.longest / seconds<Scalar>(Interval(1));
+        const Scalar ticks = *gaps_.longest / to_seconds<Scalar>(Interval(1));
         return ticks < static_cast<Scalar>(most.count()) ? Interval(static_cast<std::uintmax_t>(ticks)) : most;
       } else {
         return *gaps_.longest < static_cast<Scalar>(most) ? static_cast<Time>(*gaps_.longest) : most;

@@ -27,7 +27,7 @@ struct Nodes {
 template <typename Scalar, typename Window>
 [[nodiscard]] std::array<Scalar, 4> times_from(const Window& window, std::size_t from) {
   std::array<Scalar, 4> times;
-  for (std::size_t j = 0; j < 4; ++j) times[j] = seconds<Scalar>(window[j].time - window[from].time);
+  for (std::size_t j = 0; j < 4; ++j) times[j] = to_seconds<Scalar>(window[j].time - window[from].time);
   return times;
 }
 
