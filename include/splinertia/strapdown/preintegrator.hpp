@@ -52,11 +52,7 @@ class Preintegrator {
     requires Scheme::takes_increments
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
-<<<<<<< HEAD
     const Scalar h = window_.since_last(sample.time);
-=======
-    const Scalar h = to_seconds<Scalar>(Time(sample.time) - window_.last());
->>>>>>> main
     window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
                                                  sample.delta_velocity - bias.accel * h},
                  step());
