@@ -42,11 +42,11 @@ class Integrator {
   /// std::invalid_argument for a first point sample that is not at the time of the initial state, for readings that are
   /// not finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
   template <typename AnySample>
-  void push(const AnySample& sample, const auto& visit) {
+  [[gnu::always_inline]] void push(const AnySample& sample, const auto& visit) {
     if constexpr (check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));
   }
   template <typename AnySample>
-  void push(const AnySample& sample) {
+  [[gnu::always_inline]] void push(const AnySample& sample) {
     push(sample, [](const State&) {});
   }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/refuse.hpp>
 #include <splinertia/strapdown/gap_options.hpp>
@@ -45,22 +46,20 @@ class SampleWindow {
   /// finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
   template <typename AnySample>
     requires(!takes_increments && ImuSample<AnySample, Scalar, Time>)
-  void push(const AnySample& any, const auto& take) {
+  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
-    const Sample sample{time, any.gyro, any.accel};
-    check(time, sample.gyro, sample.accel);
-    append(sample);
+    check(time, any.gyro, any.accel);
+    append({time, any.gyro, any.accel});
     advance(take);
   }
 
   /// Adds an increment: the first one begins at the start.
   template <typename AnySample>
     requires(takes_increments && ImuIncrement<AnySample, Scalar, Time>)
-  void push(const AnySample& any, const auto& take) {
+  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
-    const Sample sample{{any.delta_angle, any.delta_velocity, stamps_.since_last(time)}, time};
-    check(time, sample.phi, sample.nu);
-    append(sample);
+    check(time, any.delta_angle, any.delta_velocity);
+    append({{any.delta_angle, any.delta_velocity, stamps_.since_last(time)}, time});
     advance(take);
   }
 
@@ -86,9 +85,9 @@ class SampleWindow {
   static constexpr std::size_t window = Scheme::window;
   using Stamps = detail::SampleStamps<Scalar, Time>;
 
-  void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+  [[gnu::always_inline]] void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+    using std::abs;
     if constexpr (Scheme::needs_equal_intervals) {
-      using std::abs;
       // A hundredth puts as much of an error into the correction, which is itself small; jitter of stamps is below it.
       const Scalar interval = stamps_.since_last(time), expected = samples_.back().interval;
       if (pushed_ > 0 && time > last() && !(abs(interval - expected) <= expected / Scalar(100))) {
@@ -98,33 +97,32 @@ class SampleWindow {
       }
     }
     // A sum is finite only where all that is in it is. That of very large numbers may not be: examined() looks again.
-    const Scalar sum = (rate + force).sum();
-    if (!(stamps_.follows(time) && is_finite(sum))) [[unlikely]]
-      stamps_ = examined(stamps_, time, rate, force, pushed_);
+    const Scalar sum = abs((rate + force).sum());
+    if (!(stamps_.follows(time) && sum <= std::numeric_limits<Scalar>::max())) [[unlikely]]
+      examine(time, rate, force);
   }
 
-  // Out of the way of what is inlined, and given copies: what has its address taken stays in memory.
-  [[nodiscard, gnu::noinline, gnu::cold]] static Stamps examined(Stamps stamps, Time time, Vector3<Scalar> rate,
-                                                                 Vector3<Scalar> force, std::size_t index) {
-    if (takes_increments || index > 0) {
-      stamps = stamps.judged(time, index, takes_increments ? index : index - 1);
-    } else if (time == stamps.last()) {
-      stamps = stamps.begun();
+  // Out of the way of what is inlined.
+  [[gnu::noinline, gnu::cold]] void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+    Stamps stamps = stamps_;
+    if (takes_increments || pushed_ > 0) {
+      stamps = stamps_.judged(time, pushed_, takes_increments ? pushed_ : pushed_ - 1);
+    } else if (time == last()) {
+      stamps = stamps_.begun();
     } else {
       refuse<std::invalid_argument>("integrate: the first sample is at ", printable(time), ", the initial state at ",
-                                    printable(stamps.last()));
+                                    printable(last()));
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
-      check_reading(rate[i], takes_increments ? "delta_angle" : "gyro", i, time, index);
-      check_reading(force[i], takes_increments ? "delta_velocity" : "accel", i, time, index);
+      check_reading(rate[i], takes_increments ? "delta_angle" : "gyro", i, time);
+      check_reading(force[i], takes_increments ? "delta_velocity" : "accel", i, time);
     }
-    return stamps;
+    stamps_ = stamps;
   }
 
-  static void check_reading(const Scalar& reading, const char* sensor, Eigen::Index axis, Time time,
-                            std::size_t index) {
+  void check_reading(const Scalar& reading, const char* sensor, Eigen::Index axis, Time time) const {
     if (!is_finite(reading)) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " at ", printable(time), " has ", sensor, '[', axis,
+      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
                                     "] = ", reading, ", expected a finite number");
     }
   }
@@ -134,23 +132,26 @@ class SampleWindow {
     samples_.back() = sample;
     stamps_.append(sample.time);
     ++pushed_;
-    --from_;  // the position is that of the sample (point samples) or of the increment that the next step begins with
   }
 
   // Intervals that no step has covered yet.
   [[nodiscard]] std::size_t waiting() const { return window - from_ - (takes_increments ? 0 : 1); }
 
-  void advance(const auto& take) {
-    if constexpr (!takes_increments) {
-      // All steps but the first and the last ones begin at the same place in the window.
-      constexpr std::size_t usual = window - 1 - Scheme::stride - Scheme::lead;
-      if (pushed_ >= window && from_ == usual) [[likely]] {
-        from_ = usual + Scheme::stride;
-        take(samples_, usual, samples_[usual + Scheme::stride].time);
-        return;
-      }
+  [[gnu::always_inline]] void advance(const auto& take) {
+    // The position is that of the sample (point samples) or of the increment that the next step begins with.
+    const std::size_t from = from_ - 1;
+    // All steps but the first and the last ones begin at the same place in the window.
+    constexpr std::size_t usual = window - (takes_increments ? 0 : 1) - Scheme::stride - Scheme::lead;
+    if (from == usual && (usual == 0 || pushed_ >= window)) [[likely]] {
+      from_ = usual + Scheme::stride;
+      take(samples_, usual, samples_[usual + Scheme::stride - (takes_increments ? 1 : 0)].time);
+      return;
     }
-    while (pushed_ >= window && waiting() >= Scheme::stride + Scheme::lead) step(take);
+    from_ = from;
+    if constexpr (usual > 0) {
+      if (from > usual) return;
+      while (pushed_ >= window && waiting() >= Scheme::stride + Scheme::lead) step(take);
+    }
   }
 
   void step(const auto& take) {
@@ -165,8 +166,9 @@ class SampleWindow {
   }
 
   std::array<Sample, window> samples_;
-  std::size_t from_ = window, pushed_ = 0;
+  std::size_t from_ = window;
   Stamps stamps_;
+  std::size_t pushed_ = 0;
 };
 
 }  // namespace splinertia
