@@ -36,18 +36,6 @@ template <LieGroup G, LieGroup From>
   }
 }
 
-/// `time` as another type: seconds since an epoch as double are good to a quarter of a microsecond only.
-template <TimePoint Time, TimePoint From>
-[[nodiscard]] Time as_time(From time) {
-  if constexpr (std::same_as<Time, From>) {
-    return time;
-  } else if constexpr (std::floating_point<Time>) {
-    return to_seconds<Time>(time);
-  } else {
-    return std::chrono::duration_cast<Time>(to_nanoseconds(time));
-  }
-}
-
 /// The poses as Curve takes them. Elements that have drifted off their group by up to 0.001 (the norm of a quaternion)
 /// are normalised. Throws std::invalid_argument, naming the pose and `whose` demand it is, unless they are finite, on
 /// their group and in ascending order of time, no two of the same.
@@ -83,12 +71,7 @@ template <typename Curve, StampedPoses Poses>
     }
     data.push_back({time, value});
   }
-  if constexpr (!std::floating_point<Time>) {
-    if (!data.empty() && data.front().time < Time(0) && data.back().time > Time::max() + data.front().time) {
-      refuse<std::invalid_argument>(whose, ": poses from ", printable(data.front().time), " to ",
-                                    printable(data.back().time), " span more ticks than 64 bits count");
-    }
-  }
+  if (!data.empty()) check_span(whose, "poses", data.front().time, data.back().time);
   return data;
 }
 
