@@ -10,6 +10,7 @@
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/spectral_fit.hpp>
+#include <splinertia/finite.hpp>
 
 namespace splinertia::allan {
 
@@ -46,7 +47,7 @@ class ModelLikelihood {
     const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
     Times times = start.times;
     if (!decaying) times.decay = infinity;
-    if (decaying && std::isinf(times.decay)) times.decay = decay_.upper;
+    if (decaying && !is_finite(times.decay)) times.decay = decay_.upper;
     if (correlated && !(times.correlation > 0)) times.correlation = correlation_.upper;
     Result best = fit_.maximise(terms, times, fixed(times), &start.theta);
     for (int round = 0; round < (correlated && decaying ? 2 : 1); ++round) {

@@ -13,6 +13,8 @@
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
 #include <splinertia/allan/pooled_spectrum.hpp>
+#include <splinertia/finite.hpp>
+#include <splinertia/fixed_array.hpp>
 #include <utility>
 #include <vector>
 
@@ -34,7 +36,7 @@ class SpectralFit {
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
   /// The terms that have a place in θ.
-  static constexpr std::array<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
+  static constexpr FixedArray<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                                 NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                                 NoiseTerm::gauss_markov};
   /// The place of a term in θ.
@@ -186,7 +188,7 @@ class SpectralFit {
 
   [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
     const auto& bin = spectrum_->bins()[i];
-    if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
+    if (!is_finite(decay_time)) return {0, 0, bin.ramp_square, true};
     const auto means = spectrum_->trend_means(bin, decay_time);
     return {means.odd, means.even, bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even,
             false};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/motion/trajectory.hpp>
@@ -57,7 +58,7 @@ class ImuSamples {
     /// Sample i, or where H is G in lanes, those from i on.
     template <Pose H>
     void write(std::size_t i, const ImuMeasurement<ScalarOf<H>>& imu, const H& pose) const {
-      std::array<ScalarOf<H>, parameters> numbers;
+      FixedArray<ScalarOf<H>, parameters> numbers;
       write_parameters(pose, numbers.data());
       rows_.template write<0, 3>(i, imu.gyro);
       rows_.template write<3, 3>(i, imu.accel);

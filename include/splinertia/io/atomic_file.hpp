@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <random>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/message.hpp>
@@ -74,7 +75,7 @@ class AtomicFile {
   void append_integer(std::int64_t value) { advance(integer_to_chars(room(number_text_size), value)); }
   /// Throws std::invalid_argument for NaN and infinity, which no reader would take.
   void append_real(double value) {
-    if (!has_finite_bits(value)) refuse(value);
+    if (!is_finite(value)) refuse(value);
     advance(real_to_chars(room(number_text_size), value));
   }
   /// Seconds with nine decimals, exactly.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <utility>
 
@@ -16,7 +17,7 @@ template <typename Scalar, int Order, int D>
 struct CumulativeBasis {
   static_assert(Order >= 2 && Order <= 8, "orders 2 (linear) to 8 are supported");
   /// lambda[m][j − 1] = d^m λ_j/dt^m, in 1/s^m.
-  std::array<std::array<Scalar, Order - 1>, D + 1> lambda;
+  FixedArray<FixedArray<Scalar, Order - 1>, D + 1> lambda;
 };
 
 [[nodiscard]] constexpr std::int64_t binomial(int n, int k) {
@@ -32,7 +33,7 @@ struct CumulativeBasis {
 }
 
 template <int Order>
-using BasisMatrix = std::array<std::array<std::int64_t, Order>, Order>;
+using BasisMatrix = FixedArray<FixedArray<std::int64_t, Order>, Order>;
 
 /// (k − 1)! times the basis matrix of uniform knots, an integer: row j, column n holds the coefficient of uⁿ in
 /// (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).
@@ -88,7 +89,7 @@ template <int Order, int j, int m, typename Scalar>
       }
     };
     (step.template operator()<I>(), ...);
-  }(std::make_index_sequence<Order - 1 - m>{});
+  }(std::make_index_sequence<static_cast<std::size_t>(Order - 1 - m)>{});
   return sum;
 }
 
@@ -106,7 +107,7 @@ template <int Order, int D, typename U, typename Scalar = U>
       } else {
         ((basis.lambda[m][J] = Scalar(0)), ...);
       }
-    }(std::make_index_sequence<Order - 1>{});
+    }(std::make_index_sequence<static_cast<std::size_t>(Order - 1)>{});
   };
   const U scale(Real(1) / static_cast<Real>(factorial(Order - 1)));
   row.template operator()<0>(scale);

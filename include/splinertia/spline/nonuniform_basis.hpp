@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/time.hpp>
@@ -67,7 +68,7 @@ template <int Order, int D, typename Scalar, typename U, TimePoint Time>
   // Of order m, those of the m functions that are not zero on the span: B_{i−m+1+p,m}, p = 0 … m − 1, and derivative d
   // of its Q in q[d][p]. Each order takes the place of the one below.
   std::array<U, k> B{U(Real(1))};
-  std::array<std::array<U, k - 1>, (D > 1 ? D : 1)> q{};
+  FixedArray<FixedArray<U, k - 1>, (D > 1 ? D : 1)> q{};
   const auto order = [&]<std::size_t m>() {
     std::array<Real, m> width;
     for (std::size_t p = 0; p < m; ++p) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/motion/trajectory.hpp>
@@ -105,7 +106,7 @@ class MotionSamples {
     template <LieGroup H>
     void write(std::size_t i, const Motion<H, D>& m) const {
       if constexpr (has_parameters) {
-        std::array<ScalarOf<H>, parameters> numbers;
+        FixedArray<ScalarOf<H>, parameters> numbers;
         write_parameters(m.value, numbers.data());
         rows_.template write<0, parameters>(i, numbers);
       } else {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <splinertia/finite.hpp>
 #include <splinertia/flatten.hpp>
 #include <splinertia/refuse.hpp>
 #include <splinertia/spline/evaluate.hpp>
@@ -145,11 +145,9 @@ class Spline {
   [[nodiscard]] static Tangent<G> checked_increment([[maybe_unused]] std::size_t i, const G& x, const G& y) {
     const Tangent<G> d = increment<G>(x, y);
     if constexpr (std::floating_point<Scalar>) {
-      for (int row = 0; row < d.size(); ++row) {
-        if (!std::isfinite(d[row])) {
-          refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
-                                        " are not both finite and of non-zero rotation part");
-        }
+      if (!all_finite(d)) {
+        refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
+                                      " are not both finite and of non-zero rotation part");
       }
     }
     return d;

@@ -57,7 +57,7 @@ class AngularSpeed {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto over = std::span(speeds).subspan(i, taps);
-      const bool known = std::ranges::find(over, unknown) == over.end();
+      const bool known = std::find(over.begin(), over.end(), unknown) == over.end();
       speeds[i] = known ? std::accumulate(over.begin(), over.end(), 0.0) / double(taps) : unknown;
     }
     speeds.resize(count);
