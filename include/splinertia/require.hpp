@@ -22,6 +22,16 @@ constexpr void require_finite(const char* whose, const char* parameter, const Sc
   require(is_finite(value), whose, parameter, value, "a finite number");
 }
 
+/// The same for each component of a vector.
+template <typename Vector>
+constexpr void require_all_finite(const char* whose, const char* parameter, const Vector& values) {
+  for (int i = 0; i < static_cast<int>(values.size()); ++i) {
+    if (!is_finite(values[i])) {
+      refuse<std::invalid_argument>(whose, ": ", parameter, '[', i, "] is ", values[i], ", expected a finite number");
+    }
+  }
+}
+
 template <typename Scalar>
 constexpr void require_non_negative(const char* whose, const char* parameter, const Scalar& value) {
   require(is_finite(value) && value >= Scalar(0), whose, parameter, value, "a finite number >= 0");

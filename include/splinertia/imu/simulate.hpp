@@ -164,6 +164,7 @@ class Simulation {
   // Both ends, where they fall on a sample.
   [[nodiscard]] std::size_t count_samples() const {
     constexpr double most = std::min(0x1p53, static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max()));
+    check_span("simulate", "samples", start_, end_);
     const double duration = to_seconds<double>(end_ - start_), intervals = duration * rate_;
     if (!(intervals < most)) {
       refuse<std::invalid_argument>("simulate: ", rate_, " Hz for ", duration, " s makes ", intervals,

@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <optional>
 #include <ranges>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/little_endian.hpp>
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
@@ -52,12 +54,12 @@ class NpyImuWriter {
     npy_.advance(store(end, sample.accel));
   }
 
-  /// Completes the file.
-  void commit() { npy_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { npy_.commit(set...); }
 
  private:
   void refuse_unless_finite(double value) {
-    if (!has_finite_bits(value)) npy_.file().refuse(value);
+    if (!is_finite(value)) npy_.file().refuse(value);
   }
 
   [[nodiscard]] char* store(char* to, const auto& vector) {
@@ -91,7 +93,7 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
     Eigen::Vector3d result;
     for (int axis = 0; axis < 3; ++axis) {
       result[axis] = load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
-      if (has_finite_bits(result[axis])) continue;
+      if (is_finite(result[axis])) continue;
       char text[number_text_size];
       const std::string_view value(text, static_cast<std::size_t>(real_to_chars(text, result[axis]) - text));
       file.fail_row(name, '[', axis, "] is ", value, ", expected a finite number");

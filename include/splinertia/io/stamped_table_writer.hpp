@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
@@ -64,17 +66,17 @@ class StampedTableWriter {
     file_.append('\n');
   }
 
-  /// Completes the file.
-  void commit() {
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) {
     if (!time_) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
-    file_.commit();
+    file_.commit(set...);
   }
 
  private:
   template <TimePoint Time>
   [[nodiscard]] std::chrono::nanoseconds file_time(Time time) {
     if constexpr (std::floating_point<Time>) {
-      if (const auto value = static_cast<double>(time); !has_finite_bits(value)) file_.refuse(value);
+      if (!is_finite(time)) file_.refuse(static_cast<double>(time));
     }
     return to_nanoseconds(time);
   }
@@ -82,7 +84,7 @@ class StampedTableWriter {
   [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double value = values[i];
-      if (!has_finite_bits(value)) file_.refuse(value);
+      if (!is_finite(value)) file_.refuse(value);
       *to++ = layout_.separator;
       to = real_to_chars(to, value);
     }
