@@ -61,6 +61,11 @@ class Spline {
     }
   }
 
+  /// Points of another group, or with an allocator of their own.
+  template <typename OtherPoint, typename OtherAllocator>
+    requires(!std::same_as<std::vector<OtherPoint, OtherAllocator>, std::vector<G>>)
+  Spline(K, const std::vector<OtherPoint, OtherAllocator>& control_points) = delete;
+
   /// The closed interval on which the curve is defined.
   [[nodiscard]] Domain<Time> domain() const { return knots_.domain(control_points_.size(), Order); }
   [[nodiscard]] Time start() const { return domain().start; }
