@@ -84,7 +84,8 @@ template <typename Curve, StampedPoses Poses>
     data.push_back({time, value});
   }
   if constexpr (!std::floating_point<Time>) {
-    if (!data.empty() && data.front().time < Time(0) && data.back().time > Time::max() + data.front().time) {
+    constexpr Time longest = Time::max();
+    if (!data.empty() && data.front().time < Time(0) && longest + data.front().time < data.back().time) {
       refuse<std::invalid_argument>(whose, ": poses from ", printable(data.front().time), " to ",
                                     printable(data.back().time), " span more ticks than 64 bits count");
     }
