@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/interval.hpp>
@@ -23,9 +22,8 @@ namespace splinertia::allan {
 template <typename Scalar>
 class ModelEstimates {
  public:
-  ModelEstimates(std::reference_wrapper<const ModelSelection<Scalar>> selection, Scalar confidence,
-                 NoiseTerms candidates)
-      : selection_(selection), confidence_(confidence), candidates_(candidates) {}
+  ModelEstimates(std::reference_wrapper<const ModelSelection<Scalar>> all, Scalar confidence, NoiseTerms candidates)
+      : selection_(all), confidence_(confidence), candidates_(candidates) {}
 
   /// Descriptions and estimates of a result of which fits and excluded are known.
   void write_to(NoiseEstimates<Scalar>& result) const {
