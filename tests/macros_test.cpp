@@ -6,6 +6,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <locale>
 #include <random>
 #include <ranges>
 #include <sophus/se2.hpp>

@@ -46,7 +46,7 @@ constexpr void require_positive(const char* whose, const char* parameter, const 
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar largest_factor() {
   Scalar factor(1);
-  for (int i = 0; i < std::min(std::numeric_limits<Scalar>::max_exponent, 1024) / 3; ++i) factor *= Scalar(2);
+  for (int i = 0; i < (std::min)(std::numeric_limits<Scalar>::max_exponent, 1024) / 3; ++i) factor *= Scalar(2);
   return factor;
 }
 

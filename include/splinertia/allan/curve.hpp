@@ -82,7 +82,7 @@ template <Deviation D, typename Scalar>
   for (std::size_t j = 0; j < factors.size(); ++j) {
     const std::int64_t m = factors[j];
     const int alpha = options.alpha ? *options.alpha : noise_type(signal, m);
-    const int converging = options.alpha ? alpha : std::max(alpha, steepest_power_law<D>);
+    const int converging = options.alpha ? alpha : (std::max)(alpha, steepest_power_law<D>);
     const auto freedom = static_cast<Scalar>(degrees_of_freedom<D>(converging, m, n, options.phase_model));
     result.points.push_back({m, static_cast<Scalar>(m) / signal.rate(), D::terms(n, m), values[j], alpha, freedom,
                              deviation_interval(values[j], freedom, options.confidence)});

@@ -40,8 +40,8 @@ class CurveFit {
       require_positive("fit_curve", "tau", point.tau);
       require_non_negative("fit_curve", "deviation", point.deviation);
       require_positive("fit_curve", "degrees of freedom", point.degrees_of_freedom);
-      unit_ = std::max(unit_, point.deviation);
-      longest_ = std::max(longest_, point.tau);
+      unit_ = (std::max)(unit_, point.deviation);
+      longest_ = (std::max)(longest_, point.tau);
     }
     if (curve.points.size() < 2 || !(unit_ > 0)) {
       refuse<std::invalid_argument>("fit_curve: ", curve.points.size(),
@@ -73,7 +73,7 @@ class CurveFit {
     constexpr int most_steps = 100;
     Result result;
     // The first weights are those of a model that goes through the data.
-    Column model = variance_.max(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
+    Column model = (variance_.max)(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
     Vector before = Vector::Zero();
     for (int i = 0; i < most_steps; ++i) {
       result.theta = solve(terms, model);
@@ -104,7 +104,7 @@ class CurveFit {
   using Square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
   [[nodiscard]] Column expected(const Vector& theta) const {
-    return (basis_ * theta).array().max(std::numeric_limits<Scalar>::min());
+    return ((basis_ * theta).array().max)((std::numeric_limits<Scalar>::min)());
   }
 
   /// One step of least squares with the weights of a model.
@@ -150,7 +150,7 @@ class CurveFit {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
     const Scalar highest = rate_ / 2, lowest = 1 / (32 * longest_);
-    const int count = per_octave * std::max(1, 1 + static_cast<int>(std::log2(highest / lowest)));
+    const int count = per_octave * (std::max)(1, 1 + static_cast<int>(std::log2(highest / lowest)));
     Square seen(basis_.rows(), count);
     for (int k = 0; k < count; ++k) {
       const Scalar f = highest * std::exp2(-static_cast<Scalar>(k) / per_octave);
@@ -164,7 +164,7 @@ class CurveFit {
         seen(i, k) = spectrum * std::sqrt(f) * (sine * sine / x) * (sine * sine / x);
       }
     }
-    const Column norms = seen.rowwise().norm().array().max(std::numeric_limits<Scalar>::min());
+    const Column norms = (seen.rowwise().norm().array().max)((std::numeric_limits<Scalar>::min)());
     const Square normalised = norms.inverse().matrix().asDiagonal() * seen;
     return normalised * normalised.transpose();
   }

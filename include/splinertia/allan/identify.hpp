@@ -42,7 +42,7 @@ class Identification {
       : options_(checked(options)),
         spectra_(std::move(spectra)),
         spectrum_(spectra_),
-        highest_(options.highest_frequency > 0 ? std::min(options.highest_frequency, spectrum_.rate() / 2)
+        highest_(options.highest_frequency > 0 ? (std::min)(options.highest_frequency, spectrum_.rate() / 2)
                                                : spectrum_.rate() / 2),
         bands_(spectrum_, highest_, options.excluded) {
     require_enough();
@@ -123,7 +123,7 @@ class Identification {
 
   /// Enough of a spectrum is left to say something.
   static constexpr std::size_t fewest = 64;
-  [[nodiscard]] bool enough() const { return bands_.count() >= std::min(fewest, spectrum_.bins().size()); }
+  [[nodiscard]] bool enough() const { return bands_.count() >= (std::min)(fewest, spectrum_.bins().size()); }
 
   /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
   /// does if that end is left out.
@@ -173,7 +173,7 @@ class Identification {
     if (best.terms.has(NoiseTerm::gauss_markov)) parameters += 1;
     if (best.terms.has(NoiseTerm::warm_up)) parameters += 1;
     if (parameters == 0) return Scalar(1);
-    return chi_square_upper_tail(std::max(together - apart, Scalar(0)),
+    return chi_square_upper_tail((std::max)(together - apart, Scalar(0)),
                                  parameters * static_cast<Scalar>(spectra_.size() - 1));
   }
 

@@ -73,7 +73,7 @@ class ProfileLikelihood {
     // The squared relative error e² of the root is that of a scale known from 1/(2e²) squares. Of few, the ratio of
     // likelihoods is larger than of many by 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
     const Scalar share = centre > 0 ? end(centre, held, Scalar(1), true) / centre - 1 : Scalar(1);
-    const Scalar error = std::min(share * share, Scalar(1) / 2);
+    const Scalar error = (std::min)(share * share, Scalar(1) / 2);
     const Scalar corrected = drop * (1 + 2 * error / 3);
     return {end(centre, held, corrected, false), end(centre, held, corrected, true)};
   }
@@ -82,14 +82,14 @@ class ProfileLikelihood {
   [[nodiscard]] Scalar end(Scalar centre, const Held& held, Scalar drop, bool above) const {
     Result start = best_;
     const auto excess = [&](Scalar root) {
-      start = likelihood_.near(terms_, start, held(root));
+      start = likelihood_.maximum_near(terms_, start, held(root));
       return start.objective - best_.objective;
     };
     Scalar outside = 0;
     if (above) {
       // A first step that is some share of what all the power could be.
-      const Scalar whole = std::sqrt(std::max(best_.theta.sum(), Likelihood::Fit::floor()));
-      Scalar reach = std::max(centre / 8, whole / 1'000'000);
+      const Scalar whole = std::sqrt((std::max)(best_.theta.sum(), Likelihood::Fit::floor()));
+      Scalar reach = (std::max)(centre / 8, whole / 1'000'000);
       Scalar inside = centre;
       outside = centre + reach;
       while (excess(outside) < drop) {
@@ -109,7 +109,7 @@ class ProfileLikelihood {
   template <typename Excess>
   [[nodiscard]] static Scalar crossing(const Excess& excess, Scalar inside, Scalar outside, Scalar drop) {
     const Scalar goal = std::sqrt(drop);
-    const auto off = [&](Scalar value) { return std::sqrt(std::max(excess(value), Scalar(0))) - goal; };
+    const auto off = [&](Scalar value) { return std::sqrt((std::max)(excess(value), Scalar(0))) - goal; };
     const Scalar centre = inside;
     Scalar below = off(inside), above = off(outside);
     if (!(below < 0)) return inside;

@@ -106,7 +106,7 @@ class StepSearch {
       const auto block = static_cast<std::size_t>(i);
       changes_.push_back(std::abs(clipped_[block] - clipped_[block - 1]));
     }
-    return std::max(usual_size(changes_), step_rounding);
+    return (std::max)(usual_size(changes_), step_rounding);
   }
 
   /// Whether the noise in the candidate's window is as much stronger than usual as the candidate is above the
@@ -120,7 +120,7 @@ class StepSearch {
   /// samples of a coarse resolution that happen to lie close together are none, either.
   [[nodiscard]] bool is_step(const StepFit& fit) const {
     const double least =
-        std::max({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
+        (std::max)({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
     const auto [low, high] = std::minmax_element(samples_.begin(), samples_.end());
     const double worth = std::abs(fit.height) * fit.samples / (*high - *low);  // in samples that go all the way
     return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1 && worth >= fewest;

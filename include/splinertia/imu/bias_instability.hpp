@@ -51,8 +51,8 @@ struct BiasInstability {
   template <typename Normals>
   struct State {
     explicit State(StreamKey term)
-        : normals([&]<std::size_t... I>(std::index_sequence<I...>) {
-            return std::array<Normals, Stages>{Normals(term / I)...};
+        : normals([&]<std::size_t... Index>(std::index_sequence<Index...>) {
+            return std::array<Normals, Stages>{Normals(term / Index)...};
           }(std::make_index_sequence<Stages>{})) {
       values.fill(Vector3<Scalar>::Zero());
     }

@@ -85,8 +85,8 @@ struct SecondOrderBandwidth {
   [[nodiscard]] static Step make_step(const Scalar& a, const Scalar& damping) {
     using Matrix = Eigen::Matrix<Scalar, 2, 2>;
     using Vector = Eigen::Matrix<Scalar, 2, 1>;
-    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                    // follows at once
-    if (!(a > std::numeric_limits<Scalar>::min())) return {Matrix::Identity(), Vector::Zero()};  // never moves
+    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                      // follows at once
+    if (!(a > (std::numeric_limits<Scalar>::min)())) return {Matrix::Identity(), Vector::Zero()};  // never moves
     const Scalar step_response = oscillator_step_response<Scalar>(a, damping);
     const Matrix transition = oscillator_transition<Scalar>(a, damping);
     const Scalar ramp = Scalar(1) - (Scalar(2) * damping * step_response + transition(0, 1)) / a;

@@ -38,7 +38,7 @@ inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
   dict += message(rows, ",), }");
   dict.resize(size - npy_preamble - 1, ' ');
   dict += '\n';
-  assert(dict.size() <= std::numeric_limits<std::uint16_t>::max());
+  assert(dict.size() <= (std::numeric_limits<std::uint16_t>::max)());
   std::string header(npy_magic);
   header += static_cast<char>(static_cast<unsigned char>(dict.size() % 256));
   header += static_cast<char>(static_cast<unsigned char>(dict.size() / 256));

@@ -78,8 +78,8 @@ class GapBridges {
                      anchors_beside(parts_, before + 1, 1, step, span.knot_interval)};
     };
     auto density = density_.around(anchors(length));
-    const auto near = density_.at_scale_of(anchors(span.knot_interval));
-    if (density && near) density = density->cwiseMin(*near).eval();
+    const auto nearby = density_.at_scale_of(anchors(span.knot_interval));
+    if (density && nearby) density = density->cwiseMin(*nearby).eval();
     hold(density, span.start, span.end, span.knot_interval, true);
   }
 
@@ -99,8 +99,8 @@ class GapBridges {
     // The measured parts from the held end on.
     std::vector<MeasuredPart> inner;
     for (const MeasuredPart& part : parts_) {
-      const MeasuredPart rest = direction > 0 ? MeasuredPart{std::max(part.start, edge), part.end}
-                                              : MeasuredPart{part.start, std::min(part.end, edge)};
+      const MeasuredPart rest = direction > 0 ? MeasuredPart{(std::max)(part.start, edge), part.end}
+                                              : MeasuredPart{part.start, (std::min)(part.end, edge)};
       if (rest.start <= rest.end) inner.push_back(rest);
     }
     if (inner.empty() || !(knot_interval > 0)) return;

@@ -38,19 +38,19 @@ struct ControlPointParts {
 template <typename... F>
 struct ControlPointParts<Product<F...>> {
   static constexpr std::size_t count = sizeof...(F);
-  template <std::size_t I>
-  static constexpr int offset = Product<F...>::template offset<I>;
-  template <std::size_t I>
+  template <std::size_t Index>
+  static constexpr int offset = Product<F...>::template offset<Index>;
+  template <std::size_t Index>
   static auto& part(auto& x) {
-    return x.template get<I>();
+    return x.template get<Index>();
   }
 };
 
 /// f<I>() for each part I of G.
 template <LieGroup G>
 inline void for_each_part(const auto& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (f.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (f.template operator()<Index>(), ...);
   }(std::make_index_sequence<ControlPointParts<G>::count>{});
 }
 
@@ -59,9 +59,9 @@ template <HasParameterLayout G, int Order>
 [[nodiscard]] inline std::array<G, static_cast<std::size_t>(Order)> read_control_points(
     const ScalarOf<G>* const* blocks) {
   std::array<G, static_cast<std::size_t>(Order)> points;
-  for_each_part<G>([&]<std::size_t I>() {
+  for_each_part<G>([&]<std::size_t Index>() {
     for (G& x : points) {
-      auto& part = ControlPointParts<G>::template part<I>(x);
+      auto& part = ControlPointParts<G>::template part<Index>(x);
       part = read_parameters<std::remove_cvref_t<decltype(part)>>(*blocks++);
     }
   });

@@ -24,8 +24,8 @@ struct TangentParts {
 template <typename... F>
 struct TangentParts<Product<F...>> {
   static void for_each(const auto& f) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (f(std::integral_constant<int, Product<F...>::template offset<I>>{}, std::integral_constant<int, DofOf<F>>{}),
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (f(std::integral_constant<int, Product<F...>::template offset<Index>>{}, std::integral_constant<int, DofOf<F>>{}),
        ...);
     }(std::index_sequence_for<F...>{});
   }

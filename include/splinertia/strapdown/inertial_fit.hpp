@@ -44,7 +44,7 @@ struct InertialFit : Fit<Curve> {
 template <typename Scalar>
 [[nodiscard]] Convergence<Scalar> inertial_convergence(std::size_t samples, int most_iterations) {
   constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  return {.relative = std::max(Scalar(1e-10f), 16 * epsilon),
+  return {.relative = (std::max)(Scalar(1e-10f), 16 * epsilon),
           .absolute = epsilon * static_cast<Scalar>(6 * samples),
           .most_iterations = most_iterations};
 }
