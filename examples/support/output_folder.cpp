@@ -47,9 +47,14 @@ class FolderLock {
 /// What a file was when the program wrote it; nothing if a script writes it.
 using Written = std::optional<FileSet::Version>;
 
+/// libc++ counts in integers that streams do not know.
+std::int64_t nanoseconds_of(std::filesystem::file_time_type time) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
 /// A line of the list: name, size in bytes and time of the last change, or the name alone.
 std::string line_of(const std::string& name, const Written& written) {
-  return written ? message(name, ' ', written->size, ' ', written->time.time_since_epoch().count(), '\n') : name + '\n';
+  return written ? message(name, ' ', written->size, ' ', nanoseconds_of(written->time), '\n') : name + '\n';
 }
 
 /// A name is there twice if the program was killed before it could replace the file.
@@ -62,9 +67,11 @@ std::map<std::string, std::vector<Written>> read_list(const std::filesystem::pat
     if (!(fields >> name) || name[0] == '#' || name.find('/') != name.npos) continue;
     Written written;
     std::uintmax_t size = 0;
-    std::filesystem::file_time_type::rep time = 0;
+    std::int64_t time = 0;
     if (fields >> size >> time) {
-      written = {size, std::filesystem::file_time_type(std::filesystem::file_time_type::duration(time))};
+      written = {size, std::filesystem::file_time_type(std::chrono::nanoseconds(time))};
+    } else if (!fields.eof()) {
+      continue;  // no line of ours
     }
     list[name].push_back(written);
   }
