@@ -96,7 +96,9 @@ void run(const KnownImu& known, const Options& o) {
   ImuLogOptions reading;
   reading.python = o.python;
   const LogNoise noise = analyse(read_imu_log(bag, reading), {});
-  write_files(noise, folder);
+  OutputFolder output(folder, "known_noise");
+  if (!o.no_plot) output.expect_pictures("allan");
+  write_files(noise, output);
   if (!o.no_plot) {
     PythonScript(o.python, "plot_allan.py", {folder.string()}, PythonScript::Output::shared).finish();
   }

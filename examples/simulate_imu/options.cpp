@@ -72,7 +72,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag("--keep-holes", o.keep_holes, "keep the samples where there are no poses, which are invented")
       ->needs(trajectory);
   app.add_option("-o,--output", o.output,
-                 "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM), imu.yaml (Kalibr) and gaps.csv")
+                 "folder for imu.csv (there only if all files are complete), groundtruth.csv (EuRoC), poses.tum (TUM), "
+                 "imu.yaml "
+                 "(Kalibr) and gaps.csv")
       ->capture_default_str();
   app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
   app.add_option("--csv", o.csv, "also write the table of integration errors to this file");

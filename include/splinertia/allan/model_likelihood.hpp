@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -22,8 +23,8 @@ class ModelLikelihood {
   using Times = typename Fit::Times;
   using Fixed = typename Fit::Fixed;
 
-  explicit ModelLikelihood(const Fit& fit) : fit_(fit) {
-    const auto& spectrum = fit.spectrum();
+  explicit ModelLikelihood(std::reference_wrapper<const Fit> fit) : fit_(fit) {
+    const auto& spectrum = fit_.spectrum();
     const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
     // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
     correlation_ = {std::max(Scalar(32), samples / 10000) / rate, std::max(Scalar(64), samples / 4) / rate};

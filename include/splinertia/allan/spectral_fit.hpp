@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <splinertia/allan/grouped_spectrum.hpp>
@@ -58,9 +59,9 @@ class SpectralFit {
   };
 
   /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
-  SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
+  SpectralFit(std::reference_wrapper<const Spectrum> spectrum, const std::vector<bool>& included,
               Scalar most_count = std::numeric_limits<Scalar>::max())
-      : spectrum_(&spectrum), included_(included), grouped_(spectrum, included, most_count) {}
+      : spectrum_(&spectrum.get()), included_(included), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   [[nodiscard]] const std::vector<bool>& included() const { return included_; }

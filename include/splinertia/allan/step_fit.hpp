@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -36,17 +37,17 @@ class StepFitter {
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
   /// The window less a line of this slope [per sample]. Keeps a reference to the window.
-  explicit StepFitter(const std::vector<double>& window, double slope = 0)
-      : window_(window), size_(static_cast<std::int64_t>(window.size())) {
+  explicit StepFitter(std::reference_wrapper<const std::vector<double>> window, double slope = 0)
+      : window_(window), size_(static_cast<std::int64_t>(window_.size())) {
     double mean = 0;
-    for (const double y : window) mean += y;
-    mean /= static_cast<double>(window.size());
-    sums_.reserve(window.size() + 1);
-    double_sums_.reserve(window.size() + 2);
+    for (const double y : window_) mean += y;
+    mean /= static_cast<double>(window_.size());
+    sums_.reserve(window_.size() + 1);
+    double_sums_.reserve(window_.size() + 2);
     sums_.push_back(0);
     double_sums_.push_back(0);
     double line = slope * static_cast<double>(size_ - 1) / 2 - mean;
-    for (const double y : window) {
+    for (const double y : window_) {
       double_sums_.push_back(double_sums_.back() + sums_.back());
       sums_.push_back(sums_.back() + (y + line));
       line -= slope;

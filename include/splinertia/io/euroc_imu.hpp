@@ -9,6 +9,7 @@
 #include <concepts>
 #include <filesystem>
 #include <ranges>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
 #include <splinertia/io/table_layout.hpp>
@@ -58,7 +59,8 @@ class EurocImuWriter {
   /// A line that read_euroc_imu passes over, `# ` and the text, where the next sample comes.
   void comment(std::string_view text) { table_.comment(text); }
 
-  void commit() { table_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { table_.commit(set...); }
 
  private:
   StampedTableWriter table_;

@@ -15,6 +15,7 @@
 #include <ranges>
 #include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/little_endian.hpp>
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
@@ -52,8 +53,8 @@ class NpyImuWriter {
     npy_.advance(store(end, sample.accel));
   }
 
-  /// Completes the file.
-  void commit() { npy_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { npy_.commit(set...); }
 
  private:
   [[nodiscard]] char* store(char* to, const auto& vector) {

@@ -4,11 +4,13 @@
 #include <Eigen/Core>
 #include <cassert>
 #include <chrono>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <splinertia/finite.hpp>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
@@ -56,10 +58,10 @@ class StampedTableWriter {
     file_.append('\n');
   }
 
-  /// Completes the file.
-  void commit() {
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) {
     if (!time_) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
-    file_.commit();
+    file_.commit(set...);
   }
 
  private:

@@ -10,6 +10,7 @@
 #include <ranges>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
@@ -57,7 +58,8 @@ class TumWriter {
     table_.append(stamped.time, position(stamped.value), rotation(stamped.value).unit_quaternion().coeffs());
   }
 
-  void commit() { table_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { table_.commit(set...); }
 
  private:
   StampedTableWriter table_;

@@ -12,10 +12,15 @@
 
 namespace splinertia {
 
+/// The orders that curves have: 2 is linear, 4 cubic.
+inline constexpr int lowest_order = 2, highest_order = 8;
+template <int Order>
+inline constexpr bool is_supported_order = lowest_order <= Order && Order <= highest_order;
+
 /// λ_1 … λ_{k−1} and their first D derivatives with respect to time, at one time.
 template <typename Scalar, int Order, int D>
 struct CumulativeBasis {
-  static_assert(Order >= 2 && Order <= 8, "orders 2 (linear) to 8 are supported");
+  static_assert(is_supported_order<Order>, "orders 2 (linear) to 8 are supported");
   /// lambda[m][j − 1] = d^m λ_j/dt^m, in 1/s^m.
   FixedArray<FixedArray<Scalar, Order - 1>, D + 1> lambda;
 };
@@ -68,8 +73,16 @@ template <int Order>
   return m;
 }
 
-static_assert(uniform_cumulative_matrix<4>() ==
-              BasisMatrix<4>{{{6, 0, 0, 0}, {5, 3, -3, 1}, {1, 3, 3, -2}, {0, 0, 0, 1}}});
+static_assert([] {
+  constexpr BasisMatrix<4> matrix = uniform_cumulative_matrix<4>();
+  constexpr std::int64_t cubic[4][4] = {{6, 0, 0, 0}, {5, 3, -3, 1}, {1, 3, 3, -2}, {0, 0, 0, 1}};
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      if (matrix[j][n] != cubic[j][n]) return false;
+    }
+  }
+  return true;
+}());
 
 /// (k − 1)! d^m λ_j/du^m by Horner's rule. The coefficients are exact, so that the only errors are those of the sum.
 template <int Order, int j, int m, typename Scalar>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -42,11 +43,12 @@ class GapBridges {
   /// `share` that of the data which the control points take: the variance of a value of the curve over that of a
   /// pose. `others` are the times, ascending, of other measurements that hold the curve. Keeps curve, spans and others
   /// by reference.
-  GapBridges(const Curve& curve, const std::vector<UnmeasuredSpan<Time>>& spans, const Tangent<G>& noise,
-             const Tangent<G>& unit, const Scalar& share, const std::vector<Time>& others)
+  GapBridges(std::reference_wrapper<const Curve> curve,
+             std::reference_wrapper<const std::vector<UnmeasuredSpan<Time>>> spans, const Tangent<G>& noise,
+             const Tangent<G>& unit, const Scalar& share, std::reference_wrapper<const std::vector<Time>> others)
       : curve_(curve),
         spans_(spans),
-        parts_(measured_parts(curve, spans)),
+        parts_(measured_parts(curve_, spans_)),
         noise_(noise),
         unit_(unit),
         density_(curve, noise * sqrt_of(share)),

@@ -28,19 +28,7 @@
 
 namespace splinertia {
 
-/// to − from in the units of Time (seconds, or ticks of an integer duration): taken in the type of Time, or in Real
-/// where that holds more digits, and so rounded once.
-template <typename Real, TimePoint Time>
-[[nodiscard]] inline Real units_between(Time from, Time to) {
-  if constexpr (!std::floating_point<Time>) {
-    return static_cast<Real>((to - from).count());
-  } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
-    return static_cast<Real>(to) - static_cast<Real>(from);
-  } else {
-    return static_cast<Real>(to - from);
-  }
-}
-
+/// Of units_between().
 template <typename Real, TimePoint Time>
 [[nodiscard]] constexpr Real units_per_second() {
   if constexpr (std::floating_point<Time>) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <ranges>
@@ -60,7 +61,7 @@ template <PoseRange Poses, TimePoint Time>
   const auto after = std::lower_bound(first, end, time, [](const auto& stamped, Time t) { return stamped.time < t; });
   if (after == first) return *after;
   const auto before = after - 1;
-  return after == end || time - before->time <= after->time - time ? *before : *after;
+  return after == end || time_between(before->time, time) <= time_between(time, after->time) ? *before : *after;
 }
 
 /// Pairs two trajectories by time: each pose of the shorter one (of the estimate, if they are of the same length) with
@@ -80,7 +81,7 @@ template <PoseRange Reference, PoseRange Estimate>
 
   std::vector<PosePair<decltype(Value::value), decltype(Value::time)>> pairs;
   const auto add = [&](const Value& r, const Value& e) {
-    const double difference = to_seconds<double>(r.time > e.time ? r.time - e.time : e.time - r.time);
+    const double difference = std::abs(to_seconds<double>(time_between(r.time, e.time)));
     if (difference <= max_difference) pairs.push_back({e.time, r.value, e.value});
   };
   if (std::ranges::size(estimate) > std::ranges::size(reference)) {
