@@ -8,8 +8,10 @@
 #include <splinertia/allan/compensated_sum.hpp>
 #include <splinertia/finite.hpp>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/simulate.hpp>
 #include <splinertia/imu/white_noise.hpp>
 #include <splinertia/io/tum.hpp>
+#include <splinertia/motion/circle.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
@@ -65,6 +67,8 @@ TEST_CASE("Input that is not finite is refused") {
     CHECK_THROWS_AS(Curve(NonUniformKnots<double>{.knots = {0, 1, 2, x, 4}}, numbers), std::invalid_argument);
 
     CHECK_THROWS_AS(WhiteNoise<double>{x}, std::invalid_argument);
+    CHECK_THROWS_AS(simulate(Circle<double>{}, Imu{}, {.rate = x, .start = 0, .end = 1}), std::invalid_argument);
+    CHECK_THROWS_AS(simulate(Circle<double>{}, Imu{}, {.rate = 1, .start = 0, .end = x}), std::invalid_argument);
 
     const std::vector<Stamped<Pose3, double>> good_poses{{0, pose_at(1)}, {1, pose_at(2)}};
     for (const auto& bad : {Stamped<Pose3, double>{2, pose_at(x)}, Stamped<Pose3, double>{x, pose_at(1)}}) {

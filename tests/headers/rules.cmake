@@ -42,6 +42,15 @@ foreach(header IN LISTS headers)
   endif()
 endforeach()
 
+# Tests include Catch2, whatever its version, through one header.
+file(GLOB_RECURSE tests "${CMAKE_CURRENT_LIST_DIR}/../*_test.cpp")
+foreach(test IN LISTS tests)
+  file(STRINGS "${test}" includes REGEX "^#include <catch2/")
+  if(includes)
+    list(APPEND faults "${test}: ${includes} should be \"support/catch.hpp\"")
+  endif()
+endforeach()
+
 if(faults)
   list(JOIN faults "\n  " faults)
   message(FATAL_ERROR "\n  ${faults}")

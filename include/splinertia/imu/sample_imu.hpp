@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
