@@ -18,7 +18,7 @@
 namespace splinertia {
 
 /// One after the other in the thread that calls.
-struct Sequential {};
+struct SingleThread {};
 
 /// Several at once, in so many threads, that which calls among them; 0: as many as the machine runs at once.
 struct Parallel {
@@ -26,10 +26,10 @@ struct Parallel {
 };
 
 template <typename P>
-concept ExecutionPolicy = std::same_as<P, Sequential> || std::same_as<P, Parallel>;
+concept ExecutionPolicy = std::same_as<P, SingleThread> || std::same_as<P, Parallel>;
 
 /// f(0), f(1), …, f(count − 1).
-inline void for_each_index(Sequential, std::size_t count, const auto& f) {
+inline void for_each_index(SingleThread, std::size_t count, const auto& f) {
   for (std::size_t i = 0; i < count; ++i) f(i);
 }
 
@@ -51,8 +51,13 @@ inline void for_each_index(Parallel policy, std::size_t count, const auto& f) {
   };
   const std::size_t wanted = policy.threads > 0 ? policy.threads : std::max(1U, std::thread::hardware_concurrency());
   {
-    std::vector<std::jthread> helpers;
-    for (std::size_t thread = 1; thread < std::min(wanted, count); ++thread) helpers.emplace_back(work);
+    struct Joined {  // std::jthread, which libc++ has since version 18
+      std::vector<std::thread> threads;
+      ~Joined() {
+        for (std::thread& thread : threads) thread.join();
+      }
+    } helpers;
+    for (std::size_t thread = 1; thread < std::min(wanted, count); ++thread) helpers.threads.emplace_back(work);
     work();
   }
   if (error) std::rethrow_exception(error);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/fit_bands.hpp>
@@ -28,10 +29,11 @@ class BandSelection {
   /// What chance does at most once in a thousand logs: there are some 5000 windows.
   static constexpr Scalar most_off = Scalar(21) / 4;
 
-  BandSelection(const Spectrum& spectrum, Scalar highest, const std::vector<Interval<Scalar>>& excluded)
-      : spectrum_(spectrum), included_(spectrum.bins().size(), true), misfits_(spectrum.bins().size(), false) {
+  BandSelection(std::reference_wrapper<const Spectrum> spectrum, Scalar highest,
+                const std::vector<Interval<Scalar>>& excluded)
+      : spectrum_(spectrum), included_(spectrum_.bins().size(), true), misfits_(spectrum_.bins().size(), false) {
     for (std::size_t i = 0; i < included_.size(); ++i) {
-      const Scalar frequency = spectrum.bins()[i].frequency;
+      const Scalar frequency = spectrum_.bins()[i].frequency;
       if (frequency > highest) included_[i] = false;
       for (const auto& band : excluded) {
         if (band.lower <= frequency && frequency <= band.upper) included_[i] = false;

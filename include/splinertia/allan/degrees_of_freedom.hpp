@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <splinertia/require.hpp>
 
 namespace splinertia::allan {
@@ -145,7 +146,8 @@ class DifferenceCovariance {
 /// proportion to the distance from the multiples of m, where ρ has kinks and logarithmic peaks.
 class CorrelationSum {
  public:
-  CorrelationSum(const DifferenceCovariance& covariance, std::int64_t m, std::int64_t terms, std::int64_t stride)
+  CorrelationSum(std::reference_wrapper<const DifferenceCovariance> covariance, std::int64_t m, std::int64_t terms,
+                 std::int64_t stride)
       : covariance_(covariance),
         terms_(static_cast<double>(terms)),
         stride_(static_cast<double>(stride)),

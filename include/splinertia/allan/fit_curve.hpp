@@ -16,7 +16,6 @@
 #include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
-#include <string>
 
 namespace splinertia::allan {
 
@@ -33,9 +32,9 @@ class CurveFit {
   using Vector = Eigen::Matrix<Scalar, size, 1>;
   using Matrix = Eigen::Matrix<Scalar, size, size>;
 
-  explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0), longest_(0) {
+  explicit CurveFit(const Curve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
-      refuse<std::invalid_argument>("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev");
+      refuse<std::invalid_argument>("fit_curve: the curve is of ", curve.name, ", expected adev or oadev");
     }
     for (const auto& point : curve.points) {
       require_positive("fit_curve", "tau", point.tau);
@@ -50,11 +49,13 @@ class CurveFit {
     }
     require_positive("fit_curve", "rate", curve.rate);
     const auto count = static_cast<Eigen::Index>(curve.points.size());
+    tau_.resize(count);
     basis_.resize(count, size);
     variance_.resize(count);
     freedom_.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto& point = curve.points[static_cast<std::size_t>(i)];
+      tau_[i] = point.tau;
       for (const NoiseTerm term : standard_terms) {
         basis_(i, static_cast<Eigen::Index>(term)) = allan_variance(term, point.tau);
       }
@@ -148,7 +149,7 @@ class CurveFit {
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
-    const Scalar highest = curve_.rate / 2, lowest = 1 / (32 * longest_);
+    const Scalar highest = rate_ / 2, lowest = 1 / (32 * longest_);
     const int count = per_octave * std::max(1, 1 + static_cast<int>(std::log2(highest / lowest)));
     Square seen(basis_.rows(), count);
     for (int k = 0; k < count; ++k) {
@@ -158,7 +159,7 @@ class CurveFit {
       const Scalar spectrum =
           theta[0] + (theta[1] + theta[4] * longest_ * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
       for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
-        const Scalar x = pi * f * curve_.points[static_cast<std::size_t>(i)].tau;
+        const Scalar x = pi * f * tau_[i];
         const Scalar sine = std::sin(x);
         seen(i, k) = spectrum * std::sqrt(f) * (sine * sine / x) * (sine * sine / x);
       }
@@ -168,11 +169,11 @@ class CurveFit {
     return normalised * normalised.transpose();
   }
 
-  const Curve<Scalar>& curve_;
+  Scalar rate_;  // Hz
   Scalar unit_;
   Scalar longest_;  // tau, s
   Rows basis_;
-  Column variance_, freedom_;
+  Column tau_, variance_, freedom_;
 };
 
 /// N, K, B, Q and R of a curve alone, where there is no signal for identify(): one that was read from a paper, or came

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -39,10 +38,10 @@ struct IdentifyOptions {
 template <typename Scalar>
 class Identification {
  public:
-  Identification(std::span<const DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
+  Identification(std::vector<DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
       : options_(checked(options)),
-        spectra_(spectra),
-        spectrum_(spectra),
+        spectra_(std::move(spectra)),
+        spectrum_(spectra_),
         highest_(options.highest_frequency > 0 ? std::min(options.highest_frequency, spectrum_.rate() / 2)
                                                : spectrum_.rate() / 2),
         bands_(spectrum_, highest_, options.excluded) {
@@ -62,6 +61,10 @@ class Identification {
     bands_.reset();
     select();
   }
+
+  // Its parts refer to one another.
+  Identification(const Identification&) = delete;
+  Identification& operator=(const Identification&) = delete;
 
   [[nodiscard]] NoiseEstimates<Scalar> estimates() const {
     NoiseEstimates<Scalar> result;
@@ -175,7 +178,7 @@ class Identification {
   }
 
   IdentifyOptions<Scalar> options_;
-  std::span<const DifferenceSpectrum<Scalar>> spectra_;
+  std::vector<DifferenceSpectrum<Scalar>> spectra_;
   PooledSpectrum<Scalar> spectrum_;
   Scalar highest_;
   BandSelection<Scalar> bands_;
@@ -194,8 +197,7 @@ class Identification {
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {
-  const std::array<DifferenceSpectrum<Scalar>, 1> spectrum{DifferenceSpectrum<Scalar>(signal)};
-  return Identification<Scalar>(spectrum, options).estimates();
+  return Identification<Scalar>({DifferenceSpectrum<Scalar>(signal)}, options).estimates();
 }
 
 /// Of a rate signal at `rate` samples a second.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/interval.hpp>
@@ -22,7 +23,8 @@ namespace splinertia::allan {
 template <typename Scalar>
 class ModelEstimates {
  public:
-  ModelEstimates(const ModelSelection<Scalar>& selection, Scalar confidence, NoiseTerms candidates)
+  ModelEstimates(std::reference_wrapper<const ModelSelection<Scalar>> selection, Scalar confidence,
+                 NoiseTerms candidates)
       : selection_(selection), confidence_(confidence), candidates_(candidates) {}
 
   /// Descriptions and estimates of a result of which fits and excluded are known.

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/spectral_fit.hpp>
+#include <splinertia/finite.hpp>
 
 namespace splinertia::allan {
 
@@ -21,8 +23,8 @@ class ModelLikelihood {
   using Times = typename Fit::Times;
   using Fixed = typename Fit::Fixed;
 
-  explicit ModelLikelihood(const Fit& fit) : fit_(fit) {
-    const auto& spectrum = fit.spectrum();
+  explicit ModelLikelihood(std::reference_wrapper<const Fit> fit) : fit_(fit) {
+    const auto& spectrum = fit_.spectrum();
     const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
     // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
     correlation_ = {std::max(Scalar(32), samples / 10000) / rate, std::max(Scalar(64), samples / 4) / rate};
@@ -45,7 +47,7 @@ class ModelLikelihood {
     const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
     Times times = start.times;
     if (!decaying) times.decay = infinity;
-    if (decaying && std::isinf(times.decay)) times.decay = decay_.upper;
+    if (decaying && !is_finite(times.decay)) times.decay = decay_.upper;
     if (correlated && !(times.correlation > 0)) times.correlation = correlation_.upper;
     Result best = fit_.maximise(terms, times, fixed(times), &start.theta);
     for (int round = 0; round < (correlated && decaying ? 2 : 1); ++round) {

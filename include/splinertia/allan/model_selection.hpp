@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <splinertia/allan/deterministic_drift.hpp>
@@ -33,7 +34,8 @@ class ModelSelection {
     Scalar cost;
   };
 
-  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates) : likelihood_(fit), candidates_(candidates) {
+  ModelSelection(std::reference_wrapper<const SpectralFit<Scalar>> fit, NoiseTerms candidates)
+      : likelihood_(fit), candidates_(candidates) {
     using enum NoiseTerm;
     std::vector<NoiseTerms> sets;
     for (unsigned number = 1; number < NoiseTerms::sets; ++number) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <utility>
 
 namespace splinertia::allan {
 
@@ -21,8 +23,8 @@ class ProfileLikelihood {
   using Fixed = typename Likelihood::Fixed;
   using Times = typename Likelihood::Times;
 
-  ProfileLikelihood(const Likelihood& likelihood, NoiseTerms terms, const Result& best)
-      : likelihood_(likelihood), terms_(terms), best_(best) {}
+  ProfileLikelihood(std::reference_wrapper<const Likelihood> likelihood, NoiseTerms terms, Result best)
+      : likelihood_(likelihood), terms_(terms), best_(std::move(best)) {}
 
   /// Of √θ of a term with a place in θ.
   [[nodiscard]] Interval<Scalar> root(NoiseTerm term, Scalar confidence) const {
@@ -137,7 +139,7 @@ class ProfileLikelihood {
 
   const Likelihood& likelihood_;
   NoiseTerms terms_;
-  const Result& best_;
+  Result best_;
 };
 
 }  // namespace splinertia::allan

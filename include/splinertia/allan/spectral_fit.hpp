@@ -6,12 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <splinertia/allan/grouped_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
 #include <splinertia/allan/pooled_spectrum.hpp>
+#include <splinertia/finite.hpp>
+#include <splinertia/fixed_array.hpp>
 #include <utility>
 #include <vector>
 
@@ -33,7 +36,7 @@ class SpectralFit {
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
   /// The terms that have a place in θ.
-  static constexpr std::array<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
+  static constexpr FixedArray<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                                 NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                                 NoiseTerm::gauss_markov};
   /// The place of a term in θ.
@@ -56,9 +59,9 @@ class SpectralFit {
   };
 
   /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
-  SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
+  SpectralFit(std::reference_wrapper<const Spectrum> spectrum, const std::vector<bool>& included,
               Scalar most_count = std::numeric_limits<Scalar>::max())
-      : spectrum_(&spectrum), included_(included), grouped_(spectrum, included, most_count) {}
+      : spectrum_(&spectrum.get()), included_(included), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   [[nodiscard]] const std::vector<bool>& included() const { return included_; }
@@ -185,7 +188,7 @@ class SpectralFit {
 
   [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
     const auto& bin = spectrum_->bins()[i];
-    if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
+    if (!is_finite(decay_time)) return {0, 0, bin.ramp_square, true};
     const auto means = spectrum_->trend_means(bin, decay_time);
     return {means.odd, means.even, bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even,
             false};

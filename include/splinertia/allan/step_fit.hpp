@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,18 +34,20 @@ inline constexpr std::int64_t longest_knock = 200;
 /// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
 class StepFitter {
  public:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   /// The window less a line of this slope [per sample]. Keeps a reference to the window.
-  explicit StepFitter(const std::vector<double>& window, double slope = 0)
-      : window_(window), size_(static_cast<std::int64_t>(window.size())) {
+  explicit StepFitter(std::reference_wrapper<const std::vector<double>> window, double slope = 0)
+      : window_(window), size_(static_cast<std::int64_t>(window_.size())) {
     double mean = 0;
-    for (const double y : window) mean += y;
-    mean /= static_cast<double>(window.size());
-    sums_.reserve(window.size() + 1);
-    double_sums_.reserve(window.size() + 2);
+    for (const double y : window_) mean += y;
+    mean /= static_cast<double>(window_.size());
+    sums_.reserve(window_.size() + 1);
+    double_sums_.reserve(window_.size() + 2);
     sums_.push_back(0);
     double_sums_.push_back(0);
     double line = slope * static_cast<double>(size_ - 1) / 2 - mean;
-    for (const double y : window) {
+    for (const double y : window_) {
       double_sums_.push_back(double_sums_.back() + sums_.back());
       sums_.push_back(sums_.back() + (y + line));
       line -= slope;
@@ -60,7 +64,7 @@ class StepFitter {
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
     if (located.is_knock)
-      return StepFit{located.change.begin, located.change.duration, 0, 0, INFINITY, INFINITY, 0, true};
+      return StepFit{located.change.begin, located.change.duration, 0, 0, infinite, infinite, 0, true};
     const Levels of_change = levels(located.change, located.reach);
     return StepFit{located.change.begin, located.change.duration, of_change.height,  of_change.difference,
                    of_change.scatter,    of_change.error,         of_change.samples, false};
@@ -185,9 +189,9 @@ class StepFitter {
   struct Levels {
     double height = 0;           ///< without a drift
     double difference = 0;       ///< with it
-    double scatter = INFINITY;   ///< standard error of the height
-    double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
-    double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
+    double scatter = infinite;   ///< standard error of the height
+    double error = infinite;     ///< that and what a drift may add, root of the sum of squares
+    double variance = infinite;  ///< of a sample, as averages of many samples scatter
     double samples = 0;          ///< of the shorter side
   };
 

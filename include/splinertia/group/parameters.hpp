@@ -10,7 +10,11 @@
 /// anywhere.
 #pragma once
 
-#include <splinertia/group/pose.hpp>
+#include <concepts>
+#include <splinertia/group/known_groups.hpp>
+#include <splinertia/group/planar_motion.hpp>
+#include <splinertia/group/rotation.hpp>
+#include <utility>
 
 namespace splinertia {
 
@@ -24,25 +28,31 @@ namespace splinertia {
 template <typename G>
 struct ParameterLayout;
 
+/// A group of which ParameterLayout is known.
+template <typename G>
+concept HasParameterLayout = LieGroup<G> && requires {
+  { ParameterLayout<G>::size } -> std::convertible_to<int>;
+};
+
 /// How many numbers an element of G is kept in.
-template <LieGroup G>
+template <HasParameterLayout G>
 inline constexpr int parameter_count = ParameterLayout<G>::size;
 
 /// The element of G that the numbers at `numbers` are. Nothing is normalised.
-template <LieGroup G>
+template <HasParameterLayout G>
 [[nodiscard]] inline G read_parameters(const ScalarOf<G>* numbers) {
   return ParameterLayout<G>::read(numbers);
 }
 
 /// Writes parameter_count<G> numbers.
-template <LieGroup G>
+template <HasParameterLayout G>
 inline void write_parameters(const G& x, ScalarOf<G>* numbers) {
   ParameterLayout<G>::write(x, numbers);
 }
 
-template <LieGroup G>
+template <HasParameterLayout G>
 using TangentToParameters = Eigen::Matrix<ScalarOf<G>, parameter_count<G>, DofOf<G>>;
-template <LieGroup G>
+template <HasParameterLayout G>
 using ParametersToTangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, parameter_count<G>>;
 
 template <typename Scalar, int N>
@@ -154,7 +164,7 @@ struct ParameterLayout<Sophus::SE3<Scalar>> {
   }
 };
 
-template <LieGroup... F>
+template <HasParameterLayout... F>
 struct ParameterLayout<Product<F...>> {
   using G = Product<F...>;
   using Scalar = ScalarOf<G>;

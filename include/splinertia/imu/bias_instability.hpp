@@ -64,13 +64,16 @@ struct BiasInstability {
   PerAxis<Scalar> coefficient;
   FlickerBand<Scalar> band;
 
-  /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞.
+  /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞ with a finite ratio.
   constexpr BiasInstability(const PerAxis<Scalar>& coefficient_, const FlickerBand<Scalar>& band_ = {})
       : coefficient(coefficient_), band(band_) {
     require_non_negative("BiasInstability", "coefficient B", coefficient);
     require_positive("BiasInstability", "shortest averaging time", band.shortest);
     require(is_finite(band.longest) && band.longest > band.shortest, "BiasInstability", "longest averaging time",
             band.longest, "a finite number above the shortest");
+    // The longest correlation time, and over the shortest.
+    require(is_finite(Scalar(2) * band.longest) && is_finite(Scalar(10) * band.longest / band.shortest),
+            "BiasInstability", "longest averaging time", band.longest, "one whose ratio to the shortest is finite");
   }
 
   /// The processes of the sum, the slowest first, and their steps for one sampling interval.
@@ -82,10 +85,10 @@ struct BiasInstability {
     Scalar correlation_time = Scalar(2) * band.longest;
     for (std::size_t i = 0; i < Stages; ++i) {
       // 1/(1 − 1/r) = r/(r − 1)
-      const Scalar more = i == 0 || i == Stages - 1 ? Scalar(1) / rise<Scalar>(log_ratio) : Scalar(1);
+      const Scalar more = i == 0 || i == Stages - 1 ? Scalar(1) / exponential_rise<Scalar>(log_ratio) : Scalar(1);
       result[i] = {correlation_time, sqrt(log_ratio / pi_of<Scalar>() * more),
                    GaussMarkovStep<Scalar>(interval / correlation_time)};
-      correlation_time *= decay<Scalar>(log_ratio);
+      correlation_time *= exponential_decay<Scalar>(log_ratio);
     }
     return result;
   }

@@ -22,8 +22,14 @@ inline constexpr bool are_checked_together = requires(const A& a, const B& b) { 
 /// The same of a clock's time stamps: ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. What is not named
 /// costs nothing. See error_term.hpp for terms of your own. Two terms that cannot stand together are found by calling
 /// check_together(a, b), or (b, a), where there is such a function.
-template <ErrorTerm... Terms>
+template <typename... Terms>
 class ErrorModel {
+  static_assert((check_error_term<Terms>() && ...));
+  static_assert(
+      (SensorTerm<Terms> && ...) || (ClockTerm<Terms> && ...) || !(ErrorTerm<Terms> && ...),
+      "an ErrorModel has the terms of one sensor or of one clock: stamps' errors (ClockOffset, StampJitter, …) "
+      "go into a model of their own, Imu{gyro, accel, stamps}");
+
  public:
   /// What changes from sample to sample, for one sensor in one run.
   template <BitGenerator Generator = Xoshiro256>
@@ -45,6 +51,7 @@ class ErrorModel {
 
   /// Puts all errors into a sample (a Sample, or a Stamp).
   template <typename AnySample, typename AnyState>
+    requires(AppliesTo<Terms, AnySample&, StateOf<Terms>> && ...)
   [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
     apply_all(sample, state, indices);
   }
@@ -52,7 +59,7 @@ class ErrorModel {
   [[nodiscard]] constexpr const std::tuple<Terms...>& terms() const { return terms_; }
 
   /// The same model with more terms after its own.
-  template <ErrorTerm... More>
+  template <typename... More>
   [[nodiscard]] constexpr ErrorModel<Terms..., More...> with(const More&... more) const {
     return std::apply([&](const auto&... term) { return ErrorModel<Terms..., More...>(term..., more...); }, terms_);
   }
@@ -115,5 +122,16 @@ class ErrorModel {
 };
 
 static_assert(std::is_empty_v<ErrorModel<>>);
+
+/// The state of a model before the first sample of a run.
+template <typename Model, BitGenerator Generator = Xoshiro256>
+using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
+
+/// What stands in an Imu as the errors of a sensor, or of its clock: ErrorModel, or a type of one's own with its
+/// start() and apply().
+template <typename Model>
+concept SensorModel = AppliesToSome<Model, StateOfModel<Model>, Sample>;
+template <typename Model>
+concept ClockModel = AppliesToSome<Model, StateOfModel<Model>, Stamp>;
 
 }  // namespace splinertia

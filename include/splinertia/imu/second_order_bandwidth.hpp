@@ -36,11 +36,12 @@ struct SecondOrderBandwidth {
   PerAxis<Scalar> natural_frequency;
   PerAxis<Scalar> damping_ratio;
 
-  /// Throws std::invalid_argument unless both are finite and > 0.
+  /// Throws std::invalid_argument unless both are finite and > 0, and the third power of the damping ratio finite.
   constexpr SecondOrderBandwidth(const PerAxis<Scalar>& natural_frequency_, const PerAxis<Scalar>& damping_ratio_)
       : natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
     require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
     require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
+    require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
   }
 
   void apply(Sample<Scalar>& sample, State& state) const {

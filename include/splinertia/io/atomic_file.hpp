@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/detail/pending_file.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
@@ -53,7 +54,7 @@ class AtomicFile {
   void append_integer(std::int64_t value) { advance(integer_to_chars(room(number_text_size), value)); }
   /// Throws std::invalid_argument for NaN and infinity, which no reader would take.
   void append_real(double value) {
-    if (!has_finite_bits(value)) refuse(value);
+    if (!is_finite(value)) refuse(value);
     advance(real_to_chars(room(number_text_size), value));
   }
   /// Seconds with nine decimals, exactly.

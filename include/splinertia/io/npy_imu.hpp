@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <optional>
 #include <ranges>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/little_endian.hpp>
@@ -59,7 +60,7 @@ class NpyImuWriter {
   [[nodiscard]] char* store(char* to, const auto& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = vector[axis];
-      if (!has_finite_bits(value)) npy_.file().refuse(value);
+      if (!is_finite(value)) npy_.file().refuse(value);
       to = store_little_endian(to, value);
     }
     return to;
@@ -87,7 +88,7 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
     Eigen::Vector3d result;
     for (int axis = 0; axis < 3; ++axis) {
       result[axis] = load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
-      if (has_finite_bits(result[axis])) continue;
+      if (is_finite(result[axis])) continue;
       char text[number_text_size];
       const std::string_view value(text, static_cast<std::size_t>(real_to_chars(text, result[axis]) - text));
       file.fail_row(name, '[', axis, "] is ", value, ", expected a finite number");

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
@@ -67,7 +68,7 @@ class StampedTableWriter {
   [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double value = values[i];
-      if (!has_finite_bits(value)) file_.refuse(value);
+      if (!is_finite(value)) file_.refuse(value);
       *to++ = layout_.separator;
       to = real_to_chars(to, value);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <splinertia/group/lie_group.hpp>
@@ -58,7 +59,7 @@ class AccelerationDensity {
   using Scalar = typename Curve::Scalar;
 
   /// `deviation` is σ. Keeps the curve by reference.
-  AccelerationDensity(const Curve& curve, const Tangent<G>& deviation)
+  AccelerationDensity(std::reference_wrapper<const Curve> curve, const Tangent<G>& deviation)
       : curve_(curve), variance_(deviation.cwiseAbs2()) {}
 
   /// None if there are too few anchors for any change of slope.

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <splinertia/finite.hpp>
+#include <splinertia/fixed_array.hpp>
 #include <tuple>
 #include <vector>
 
@@ -48,7 +50,7 @@ class BandedSystem {
   using Corner = Eigen::Matrix<Scalar, Border, Border>;
   using Vector = BandedVector<Scalar, Dof, Border>;
   struct Row {
-    std::array<Block, Reach + 1> lower;  ///< A(i, i − j), j = 0 … Reach
+    FixedArray<Block, Reach + 1> lower;  ///< A(i, i − j), j = 0 … Reach
     BorderBlock border;
   };
 
@@ -168,14 +170,13 @@ class BandedCholesky {
   /// The lower triangle of `matrix` becomes L with L Lᵀ = matrix; false unless that is positive definite to rounding.
   template <typename Matrix>
   [[nodiscard]] static bool factorize(Matrix& matrix) {
-    using std::isfinite;
     using std::sqrt;
     for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
       for (int k = 0; k < c; ++k) {
         for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) -= matrix(r, k) * matrix(c, k);
       }
       const Scalar pivot = matrix(c, c);
-      if (!(pivot > Scalar(0)) || !isfinite(pivot)) return false;
+      if (!(pivot > Scalar(0)) || !is_finite(pivot)) return false;
       const Scalar inverse = Scalar(1) / sqrt(pivot);
       for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) *= inverse;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/fit_options.hpp>
 #include <utility>
@@ -14,8 +15,8 @@ namespace splinertia {
 
 /// The weights B_j = λ_j − λ_{j+1} of the Order control points of a segment.
 template <typename Scalar, int Order>
-[[nodiscard]] std::array<Scalar, Order> control_point_weights(const CumulativeBasis<Scalar, Order, 0>& basis) {
-  std::array<Scalar, Order> weights;
+[[nodiscard]] FixedArray<Scalar, Order> control_point_weights(const CumulativeBasis<Scalar, Order, 0>& basis) {
+  FixedArray<Scalar, Order> weights;
   Scalar before(1);
   for (std::size_t j = 0; j + 1 < weights.size(); ++j) {
     weights[j] = before - basis.lambda[0][j];

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -105,9 +106,9 @@ template <int D, LieGroup... F, int Order>
 
 /// d_1 … d_{k−1} between the Order control points that shape a curve.
 template <LieGroup G, int Order>
-[[nodiscard]] inline std::array<Tangent<G>, Order - 1> increments_between(
+[[nodiscard]] inline FixedArray<Tangent<G>, Order - 1> increments_between(
     std::span<const G, static_cast<std::size_t>(Order)> control_points) {
-  std::array<Tangent<G>, Order - 1> d;
+  FixedArray<Tangent<G>, Order - 1> d;
   for (std::size_t j = 0; j < d.size(); ++j) d[j] = increment<G>(control_points[j], control_points[j + 1]);
   return d;
 }

@@ -109,9 +109,11 @@ class FitProblem {
 
   [[nodiscard]] const Curve& curve() const { return fit_.spline; }
   [[nodiscard]] const std::vector<FitGap<typename Curve::Time>>& gaps() const { return fit_.gaps; }
-  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const {
+  /// Refers to the poses that are kept here.
+  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const& {
     return {data_, options_.weights, fit_.standard_deviation, loss};
   }
+  PoseTerm<Curve> pose_term(const RobustLoss& loss) && = delete;
   /// What holds the curve where neither the poses do nor other measurements, at the ascending times `others`; as the
   /// present curve says.
   [[nodiscard]] SmoothnessTerms<Curve> smoothness_terms(const std::vector<typename Curve::Time>& others = {}) const {

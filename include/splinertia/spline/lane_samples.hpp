@@ -15,6 +15,7 @@
 #include <splinertia/flatten.hpp>
 #include <splinertia/group/with_scalar.hpp>
 #include <splinertia/spline/evaluate.hpp>
+#include <splinertia/time.hpp>
 
 namespace splinertia {
 
@@ -64,7 +65,7 @@ class LaneSegment {
         if constexpr (std::floating_point<typename C::Time>) {
           t[l] = times(i + l);
         } else {
-          t[l] = static_cast<double>((times(i + l) - knots_.begin()).count());
+          t[l] = static_cast<double>(time_between(knots_.begin(), times(i + l)).count());
         }
       }
       return TimeLanes::load(t.data());

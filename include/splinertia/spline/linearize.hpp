@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/flatten.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
@@ -154,7 +155,7 @@ template <int D, LieGroupWithJacobians G, int Order>
       if constexpr (D >= 2) s_dot[j] = sum.acceleration;
     });
     // Whatever changes with X_{j−1} through d_j is taken from what it changes through d_{j−1}, or X_0 moves with it.
-    std::array<Operator<G>, D + 1> through_last;
+    FixedArray<Operator<G>, D + 1> through_last;
     through_last.fill(Scalar(0) * identity_operator<G>());
     through_last[0] = adjoint_inverse_operator<G>(P[0]);
     std::size_t derivative = 0;

@@ -55,7 +55,7 @@ inline void for_each_part(const auto& f) {
 }
 
 /// The Order control points in `blocks`, of which there are Order for each part of G.
-template <LieGroup G, int Order>
+template <HasParameterLayout G, int Order>
 [[nodiscard]] inline std::array<G, static_cast<std::size_t>(Order)> read_control_points(
     const ScalarOf<G>* const* blocks) {
   std::array<G, static_cast<std::size_t>(Order)> points;
@@ -69,7 +69,7 @@ template <LieGroup G, int Order>
 }
 
 /// evaluate() of the control points in `blocks`. The order is that of the basis.
-template <int D, LieGroup G, int Order>
+template <int D, HasParameterLayout G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(const ScalarOf<G>* const* blocks,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   const auto points = read_control_points<G, Order>(blocks);
@@ -78,7 +78,8 @@ template <int D, LieGroup G, int Order>
 
 /// linearize() of the control points in `blocks`. The Jacobians are by tangents of the control points: chain them with
 /// ParameterLayout<G>::parameters_to_tangent for an optimiser that wants them by the numbers in the blocks.
-template <int D, LieGroupWithJacobians G, int Order>
+template <int D, HasParameterLayout G, int Order>
+  requires LieGroupWithJacobians<G>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(const ScalarOf<G>* const* blocks,
                                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   const auto points = read_control_points<G, Order>(blocks);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <ranges>
 #include <splinertia/spline/fit.hpp>
@@ -63,7 +64,9 @@ using InertialSystem =
 template <typename Curve, typename... CurveTerms>
 class InertialModel {
  public:
-  InertialModel(const InertialTerm<Curve>& samples, const CurveTerms&... terms) : samples_(samples), terms_(terms...) {}
+  InertialModel(std::reference_wrapper<const InertialTerm<Curve>> samples,
+                std::reference_wrapper<const CurveTerms>... terms)
+      : samples_(samples), terms_(terms...) {}
 
   auto linearize(const InertialState<Curve>& state, InertialSystem<Curve>& system) const {
     auto cost = samples_.add(state.curve, state.calibration, system);
@@ -96,7 +99,8 @@ class CalibrationModel {
  public:
   using Calibration = ImuCalibration<typename Curve::Scalar>;
 
-  CalibrationModel(const InertialTerm<Curve>& samples, const Curve& curve) : samples_(samples), curve_(curve) {}
+  CalibrationModel(std::reference_wrapper<const InertialTerm<Curve>> samples, std::reference_wrapper<const Curve> curve)
+      : samples_(samples), curve_(curve) {}
 
   auto linearize(const Calibration& calibration, InertialSystem<Curve>& system) const {
     BorderOnly<InertialSystem<Curve>> border{system, system.corner};

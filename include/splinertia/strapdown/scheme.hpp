@@ -11,6 +11,7 @@
 /// The window of increments is not full where fewer have come: then the interval of what is missing is 0.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <splinertia/flatten.hpp>
 #include <splinertia/strapdown/galilean.hpp>
@@ -38,7 +39,7 @@ struct IncrementScheme {
 /// From window[from] to the next sample, s.
 template <typename Scalar, typename Window>
 [[nodiscard]] Scalar step_interval(const Window& window, std::size_t from) {
-  return seconds<Scalar>(window[from + 1].time - window[from].time);
+  return to_seconds<Scalar>(window[from + 1].time - window[from].time);
 }
 
 /// The integrals over a step of h of the angular velocity, φ = ∫ω dt (rad), and of the specific force, ν = ∫f dt (m/s),
@@ -76,7 +77,14 @@ template <typename Scalar>
 
 /// Whether a scheme gives the integrals of rate and force.
 template <typename Scheme, typename Scalar, typename Window>
-concept HasMoments = requires(const Window& window) { Scheme::template moments<Scalar>(window, std::size_t{0}); };
+concept HasMoments =
+    requires(const Window& window) { increment_from(Scheme::template moments<Scalar>(window, std::size_t{0})); };
+
+/// Whether a scheme gives the motion itself.
+template <typename Scheme, typename Scalar, typename Window>
+concept HasIncrement = requires(const Window& window) {
+  { Scheme::template increment<Scalar>(window, std::size_t{0}) } -> std::convertible_to<NavIncrement<Scalar>>;
+};
 
 /// What the body has done in the step of a scheme from window[from] on.
 template <typename Scheme, typename Scalar, typename Window>

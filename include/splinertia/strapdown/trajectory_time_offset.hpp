@@ -73,7 +73,7 @@ class OffsetSearch {
       correlation.push_back(regression.correlation);
       counts.push_back(regression.count);
     }
-    const std::size_t most = *std::ranges::max_element(counts);
+    const std::size_t most = *std::max_element(counts.begin(), counts.end());
     if (most < 20 * 8) {
       return {{},
               message("the angular speeds of both are known for ", rounded(static_cast<double>(most) * step_),
@@ -82,7 +82,7 @@ class OffsetSearch {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (2 * counts[i] < most) correlation[i] = 0;
     }
-    const auto best = std::ranges::max_element(correlation) - correlation.begin();
+    const auto best = std::max_element(correlation.begin(), correlation.end()) - correlation.begin();
     if (const std::string fault = objection(correlation, best, independent_samples(most)); !fault.empty()) {
       return {{}, fault};
     }
