@@ -131,9 +131,9 @@ class SampleStamps {
 
   [[nodiscard]] Interval largest() const {
     if constexpr (is_integer_duration<Time>) {
-      return Interval(static_cast<std::uintmax_t>(Time::max().count()) / intervals_);
+      return Interval(static_cast<std::uintmax_t>((Time::max)().count()) / intervals_);
     } else {
-      return std::numeric_limits<Time>::max() / static_cast<Time>(intervals_);
+      return (std::numeric_limits<Time>::max)() / static_cast<Time>(intervals_);
     }
   }
 
@@ -142,9 +142,9 @@ class SampleStamps {
     const Interval most = largest();
     if (!gaps_.longest) {
       if constexpr (is_integer_duration<Time>) {
-        return std::min(most, std::chrono::duration_cast<Interval>(std::chrono::milliseconds(100)));
+        return (std::min)(most, std::chrono::duration_cast<Interval>(std::chrono::milliseconds(100)));
       } else {
-        return std::min(most, Time(1) / Time(10));
+        return (std::min)(most, Time(1) / Time(10));
       }
     }
     if constexpr (std::floating_point<Scalar>) {

@@ -98,7 +98,7 @@ class SampleWindow {
     }
     // A sum is finite only where all that is in it is. That of very large numbers may not be: examined() looks again.
     const Scalar sum = abs((rate + force).sum());
-    if (!(stamps_.follows(time) && sum <= std::numeric_limits<Scalar>::max())) [[unlikely]]
+    if (!(stamps_.follows(time) && sum <= (std::numeric_limits<Scalar>::max)())) [[unlikely]]
       examine(time, rate, force);
   }
 
@@ -155,7 +155,7 @@ class SampleWindow {
   }
 
   void step(const auto& take) {
-    const std::size_t intervals = std::min(Scheme::stride, waiting());
+    const std::size_t intervals = (std::min)(Scheme::stride, waiting());
     const std::size_t from = std::exchange(from_, from_ + intervals);  // first: `take` may throw
     if constexpr (takes_increments) {
       take(samples_, from, samples_[from_ - 1].time);
