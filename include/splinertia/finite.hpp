@@ -44,7 +44,7 @@ template <typename T>
     if constexpr (std::floating_point<T>) {
       if (!std::is_constant_evaluated()) return has_finite_bits(x);
     }
-    return x >= std::numeric_limits<T>::lowest() && x <= std::numeric_limits<T>::max();
+    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
   }
 }
 

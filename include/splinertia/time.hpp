@@ -54,7 +54,7 @@ template <TimePoint Time>
   } else {
     typename Time::rep difference{};
     if (__builtin_sub_overflow(to.count(), from.count(), &difference)) [[unlikely]] {
-      return difference < 0 ? Time::max() : Time::min();  // it has wrapped around
+      return difference < 0 ? (Time::max)() : (Time::min)();  // it has wrapped around
     }
     return Time(difference);
   }
@@ -89,11 +89,11 @@ template <TimePoint Time, typename... Parts>
 template <TimePoint Time>
 void check_span(std::string_view whose, std::string_view what, Time first, Time last) {
   if constexpr (std::floating_point<Time>) {
-    if (last - first <= std::numeric_limits<Time>::max()) return;
+    if (last - first <= (std::numeric_limits<Time>::max)()) return;
     refuse<std::invalid_argument>(whose, ": ", what, " from ", first, " to ", last,
                                   " span more seconds than their type of time holds");
   } else {
-    if (first >= Time::zero() || last <= Time::max() + first) return;
+    if (first >= Time::zero() || last <= (Time::max)() + first) return;
     refuse<std::invalid_argument>(whose, ": ", what, " from ", printable(first), " to ", printable(last),
                                   " span more ticks than ", detail::time_bits<Time>, " bits count");
   }
@@ -107,7 +107,7 @@ template <TimePoint Time, std::floating_point Seconds>
   const Seconds ticks = Ticks(std::chrono::duration<Seconds>(duration)).count();
   // 2^(bits − 1) − 1/2 is the first that rounds to an integer beyond; in Seconds of few digits it is 2^(bits − 1).
   constexpr Seconds limit =
-      -static_cast<Seconds>(std::numeric_limits<typename Time::rep>::min()) - Seconds(1) / Seconds(2);
+      -static_cast<Seconds>((std::numeric_limits<typename Time::rep>::min)()) - Seconds(1) / Seconds(2);
   if (!(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
   return Time(static_cast<typename Time::rep>(std::llround(ticks)));
 }
@@ -131,9 +131,9 @@ template <TimePoint Time>
 template <TimePoint Time>
 [[nodiscard]] Time next_time(Time t) {
   if constexpr (std::floating_point<Time>) {
-    return std::nextafter(t, std::numeric_limits<Time>::max());
+    return std::nextafter(t, (std::numeric_limits<Time>::max)());
   } else {
-    return t < Time::max() ? t + Time(1) : t;
+    return t < (Time::max)() ? t + Time(1) : t;
   }
 }
 

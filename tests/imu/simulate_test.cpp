@@ -202,7 +202,7 @@ TEST_CASE("A run ends well where its last samples are dropped, or its first, or 
     std::vector<double> times;
     for (const auto& r : run) times.push_back(r.true_time);
     CHECK((run.begin() == run.end()) == times.empty());
-    CHECK(std::ranges::is_sorted(times));
+    CHECK(std::is_sorted(times.begin(), times.end()));
     none += times.empty();
     first_lost += !times.empty() && times.front() > 0;
     last_lost += !times.empty() && times.back() < 3;
@@ -226,7 +226,7 @@ TEST_CASE("A clock that is off tells the true time, too") {
   CHECK(times.size() == 201);
   CHECK(true_times.front() == curve.start());
   CHECK(true_times.back() == curve.end());
-  CHECK(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end());
+  CHECK(std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) == times.end());
 }
 
 TEST_CASE("A run is a range for the standard library, whatever the terms are") {
@@ -235,7 +235,9 @@ TEST_CASE("A run is a range for the standard library, whatever the terms are") {
   auto run = simulate(motion, imu, {.rate = 10, .start = 0.0, .end = 1.0});
   STATIC_CHECK(std::ranges::input_range<decltype(run)>);
   STATIC_CHECK(std::ranges::input_range<decltype(simulate<std::mt19937_64>(motion, imu))>);
-  CHECK(std::ranges::distance(run.begin(), run.end()) == 11);
+  int count = 0;
+  for ([[maybe_unused]] const auto& reading : run) ++count;
+  CHECK(count == 11);
 }
 
 TEST_CASE("Float works throughout") {

@@ -11,12 +11,10 @@ namespace splinertia::allan {
 /// pragma where it is used; g++ knows a way since version 12.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar as_written(Scalar x) {
-#if defined(__FAST_MATH__) && !defined(__clang__)
-#if !__has_builtin(__builtin_assoc_barrier)
-#warning "-ffast-math takes the compensation out of this compiler's sums: Allan deviations lose digits"
-#else
+#if __has_builtin(__builtin_assoc_barrier)
   if constexpr (std::floating_point<Scalar>) return __builtin_assoc_barrier(x);
-#endif
+#elif (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(__clang__)
+#warning "-ffast-math takes the compensation out of this compiler's sums: Allan deviations lose digits"
 #endif
   return x;
 }

@@ -5,7 +5,6 @@
 
 #include <splinertia/cpp20.hpp>
 
-#include <array>
 #include <cstddef>
 #include <splinertia/fixed_array.hpp>
 

@@ -84,9 +84,9 @@ template <typename Scalar, typename Real, std::size_t Terms>
 [[nodiscard]] inline Scalar polynomial(const std::array<Real, Terms>& a, const Scalar& x) {
   static_assert(Terms >= 2);
   const Scalar y = x * x;
-  const auto every_other = [&]<std::size_t... I>(std::size_t highest, std::index_sequence<I...>) {
+  const auto every_other = [&]<std::size_t... Index>(std::size_t highest, std::index_sequence<Index...>) {
     Scalar sum(a[highest]);
-    ((sum = sum * y + a[highest - 2 * (I + 1)]), ...);
+    ((sum = sum * y + a[highest - 2 * (Index + 1)]), ...);
     return sum;
   };
   constexpr std::size_t even = (Terms - 1) / 2, odd = (Terms - 2) / 2;
@@ -104,7 +104,8 @@ template <int n, typename Scalar>
   constexpr int digits = std::numeric_limits<Scalar>::digits;
   constexpr bool built_in = std::is_floating_point_v<Scalar> || is_lanes<Scalar>;
   if constexpr (built_in && digits < std::numeric_limits<long double>::digits) {
-    constexpr int terms = economized_terms(n, stumpff_reach, static_cast<long double>(std::numeric_limits<Real>::epsilon()) / 8);
+    constexpr int terms =
+        economized_terms(n, stumpff_reach, static_cast<long double>(std::numeric_limits<Real>::epsilon()) / 8);
     constexpr auto a = economized_series<Real, terms>(n, stumpff_reach);
     return polynomial(a, x);
   } else if constexpr (std::is_floating_point_v<Real>) {

@@ -51,7 +51,7 @@ class ImuErrors {
       imu_.stamps.apply(stamp, stamps_);
       if (stamp.dropped) return false;
       stamped = after(time, static_cast<double>(stamp.offset));
-      if (last_stamp_) stamped = std::max(stamped, next_stamp(*last_stamp_));
+      if (last_stamp_) stamped = (std::max)(stamped, next_stamp(*last_stamp_));
       require_finite("ImuErrors", "stamp", printable(stamped));
       last_stamp_ = stamped;
       reading.true_time = time;

@@ -109,7 +109,7 @@ class Simulation {
       for (; index_ < size_; ++index_) {
         if constexpr (LaneCurve<Trajectory>) {
           if (!ahead_.holds(index_)) {
-            const std::size_t count = std::min(size_ - index_, ahead_.capacity);
+            const std::size_t count = (std::min)(size_ - index_, ahead_.capacity);
             if (!ahead_.fill(s.motion_, s.gravity_, s.rate_, index_, count, [&s](std::size_t i) { return s.time(i); }))
                 [[unlikely]]
               s.check(index_, count);
@@ -163,7 +163,8 @@ class Simulation {
 
   // Both ends, where they fall on a sample.
   [[nodiscard]] std::size_t count_samples() const {
-    constexpr double most = std::min(0x1p53, static_cast<double>(std::numeric_limits<std::ptrdiff_t>::max()));
+    constexpr double most = (std::min)(0x1p53, static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()));
+    check_span("simulate", "samples", start_, end_);
     const double duration = to_seconds<double>(end_ - start_), intervals = duration * rate_;
     if (!(intervals < most)) {
       refuse<std::invalid_argument>("simulate: ", rate_, " Hz for ", duration, " s makes ", intervals,
@@ -182,7 +183,8 @@ class Simulation {
   [[nodiscard]] double resolution() const {
     if constexpr (std::floating_point<Time>) {
       // Three roundings of elapsed time and sum, each of two times: below 4 units in the last place.
-      return static_cast<double>(4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(start_), std::abs(end_)));
+      return static_cast<double>(4 * std::numeric_limits<Time>::epsilon() *
+                                 (std::max)(std::abs(start_), std::abs(end_)));
     } else {
       return to_seconds<double>(Time(1));
     }

@@ -163,7 +163,7 @@ class BandedCholesky {
  private:
   static constexpr std::size_t largest_reach = std::tuple_size_v<decltype(System::Row::lower)> - 1;
 
-  [[nodiscard]] static std::size_t reach(std::size_t row) { return std::min(row, largest_reach); }
+  [[nodiscard]] static std::size_t reach(std::size_t row) { return (std::min)(row, largest_reach); }
 
   // Plain loops: what Eigen unrolls for small fixed sizes is no faster here, and takes ten seconds to compile.
 

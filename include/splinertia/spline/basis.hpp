@@ -92,7 +92,7 @@ template <int Order, int j, int m, typename Scalar>
     return matrix[j][power] * factorial(static_cast<int>(power)) / factorial(static_cast<int>(power) - m);
   };
   Scalar sum(static_cast<Constant<Scalar>>(coefficient(Order - 1)));
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
     [[maybe_unused]] const auto step = [&]<std::size_t i>() {
       constexpr std::int64_t next = coefficient(Order - 2 - i);
       if constexpr (next == 0) {
@@ -101,7 +101,7 @@ template <int Order, int j, int m, typename Scalar>
         sum = sum * u + static_cast<Constant<Scalar>>(next);
       }
     };
-    (step.template operator()<I>(), ...);
+    (step.template operator()<Index>(), ...);
   }(std::make_index_sequence<static_cast<std::size_t>(Order - 1 - m)>{});
   return sum;
 }

@@ -46,10 +46,10 @@ template <typename Curve>
     const auto begin = knots.knot(s, order), end = knots.knot(s + 1, order);
     for (const auto time : {begin, begin + (end - begin) / 2, end}) {
       const auto [first, weights] = weights_at(time);
-      for (std::size_t j = 0; j < weights.size(); ++j) largest[first + j] = std::max(largest[first + j], weights[j]);
+      for (std::size_t j = 0; j < weights.size(); ++j) largest[first + j] = (std::max)(largest[first + j], weights[j]);
     }
   }
-  std::vector<bool> near(control_points, false), matched(control_points, false);
+  std::vector<bool> nearby(control_points, false), matched(control_points, false);
   std::size_t next = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!counts(i)) continue;
@@ -60,13 +60,13 @@ template <typename Curve>
     std::size_t low = 0, high = weights.size();
     while (low < high && share(low) < 0.1) ++low;
     while (high > low && share(high - 1) < 0.1) --high;
-    for (std::size_t j = low; j < high; ++j) near[first + j] = near[first + j] || share(j) >= 0.25 - 1e-9;
-    next = std::max(next, first + low);
+    for (std::size_t j = low; j < high; ++j) nearby[first + j] = nearby[first + j] || share(j) >= 0.25 - 1e-9;
+    next = (std::max)(next, first + low);
     if (next < first + high) matched[next++] = true;
   }
   std::vector<std::size_t> undetermined;
   for (std::size_t i = 0; i < control_points; ++i) {
-    if (!near[i] || !matched[i]) undetermined.push_back(i);
+    if (!nearby[i] || !matched[i]) undetermined.push_back(i);
   }
   return undetermined;
 }

@@ -75,7 +75,9 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
       P = Traits::compose(exp_of_fraction<G>(lambda[0][j], d(j)), P);
       observe(j, P, m);
     };
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (factor(last - 1 - I), ...); }(std::make_index_sequence<last>{});
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (factor(last - 1 - Index), ...);
+    }(std::make_index_sequence<last>{});
     m.value = Traits::compose(first, P);
   }
   return m;
@@ -87,19 +89,19 @@ template <int D, LieGroup... F, int Order>
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
   using G = Product<F...>;
   Motion<G, D> m;
-  const auto factor = [&]<std::size_t I>() {
-    using Factor = typename G::template Factor<I>;
-    constexpr int offset = G::template offset<I>;
+  const auto factor = [&]<std::size_t Index>() {
+    using Factor = typename G::template Factor<Index>;
+    constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
-    const Motion<Factor, D> f = evaluate_increments<D>(first.template get<I>(), part, basis);
-    m.value.template get<I>() = f.value;
+    const Motion<Factor, D> f = evaluate_increments<D>(first.template get<Index>(), part, basis);
+    m.value.template get<Index>() = f.value;
     if constexpr (D >= 1) m.velocity.template segment<dof>(offset) = f.velocity;
     if constexpr (D >= 2) m.acceleration.template segment<dof>(offset) = f.acceleration;
     if constexpr (D >= 3) m.jerk.template segment<dof>(offset) = f.jerk;
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (factor.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (factor.template operator()<Index>(), ...);
   }(std::index_sequence_for<F...>{});
   return m;
 }

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <ranges>
 #include <splinertia/finite.hpp>
+#include <splinertia/group/known_groups.hpp>
 #include <splinertia/group/lie_group.hpp>
-#include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/refuse.hpp>
 #include <splinertia/spline/fit_options.hpp>

@@ -58,7 +58,7 @@ void check_lengths(std::string_view whose, Time shortest, Time longest) {
   using RealLimits = std::numeric_limits<Real>;
   using TimeLimits = std::numeric_limits<Time>;
   using Narrow = std::conditional_t<(RealLimits::min_exponent > TimeLimits::min_exponent), Real, Time>;
-  const Narrow smallest = std::numeric_limits<Narrow>::min();
+  const Narrow smallest = (std::numeric_limits<Narrow>::min)();
   const auto least = static_cast<Time>(Narrow(8) * smallest), most = static_cast<Time>(Narrow(1) / smallest);
   if (!(shortest >= least)) {
     refuse<std::invalid_argument>(whose, ": the shortest span is ", shortest, " s, expected at least ", least, " s");

@@ -87,7 +87,7 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
   const std::size_t points = curve.control_points().size(), end = first + count;
   const auto curve_end = curve.end();
   const auto segment_of = [&](std::size_t i) {
-    return curve.knots().segment(std::min(times(i), curve_end), points, C::order);
+    return curve.knots().segment((std::min)(times(i), curve_end), points, C::order);
   };
   for (std::size_t i = first; i < end;) {
     const std::size_t s = segment_of(i);

@@ -207,13 +207,13 @@ template <int D, LieGroupWithJacobians... F, int Order>
         for (auto& J : jacobians) J.setZero();
       },
       result);
-  const auto factor = [&]<std::size_t I>() {
-    using Factor = typename G::template Factor<I>;
-    constexpr int offset = G::template offset<I>;
+  const auto factor = [&]<std::size_t Index>() {
+    using Factor = typename G::template Factor<Index>;
+    constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
-    const Linearization<Factor, Order, D> f = linearize_increments<D>(first.template get<I>(), part, basis);
-    result.value.template get<I>() = f.value;
+    const Linearization<Factor, Order, D> f = linearize_increments<D>(first.template get<Index>(), part, basis);
+    result.value.template get<Index>() = f.value;
     if constexpr (D >= 1) result.velocity.template segment<dof>(offset) = f.velocity;
     if constexpr (D >= 2) result.acceleration.template segment<dof>(offset) = f.acceleration;
     for_each_derivative<D>(
@@ -222,8 +222,8 @@ template <int D, LieGroupWithJacobians... F, int Order>
         },
         result, f);
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (factor.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (factor.template operator()<Index>(), ...);
   }(std::index_sequence_for<F...>{});
   return result;
 }

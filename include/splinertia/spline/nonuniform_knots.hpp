@@ -176,8 +176,8 @@ struct NonUniformKnots {
     const Time* const next =
         behind ? std::lower_bound(begin, end, curve.end) : std::upper_bound(begin, end, curve.start);
     if constexpr (!std::floating_point<Time>) {
-      t = behind ? std::min(t, time_between(-Time::max(), knots.front()))
-                 : std::max(t, time_between(Time::max(), knots.back()));
+      t = behind ? (std::min)(t, time_between(-(Time::max)(), knots.front()))
+                 : (std::max)(t, time_between((Time::max)(), knots.back()));
     }
     return {static_cast<std::size_t>(next - begin), t};
   }

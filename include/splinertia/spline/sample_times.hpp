@@ -65,7 +65,7 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
   }
   if (count == 0) return;
   if constexpr (!std::floating_point<Time>) {
-    if (count - 1 > static_cast<std::size_t>(time_between(times.start, Time::max()) / times.interval)) {
+    if (count - 1 > static_cast<std::size_t>(time_between(times.start, (Time::max)()) / times.interval)) {
       refuse<std::out_of_range>("sample: ", count, " samples ", printable(times.interval), " apart from ",
                                 printable(times.start), " on end later than any time that there is");
     }
@@ -73,7 +73,7 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
   const Time last = times(count - 1);
   Time rounding{};
   if constexpr (std::floating_point<Time>) {
-    rounding = 4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(times.start), std::abs(end));
+    rounding = 4 * std::numeric_limits<Time>::epsilon() * (std::max)(std::abs(times.start), std::abs(end));
   }
   if (!(times.start >= start && last >= times.start && last - rounding <= end)) {
     refuse<std::out_of_range>("sample: ", count, " samples from ", printable(times.start), " to ", printable(last),

@@ -140,7 +140,7 @@ class Spline {
       // Normalising rounds, which increments much smaller than 1 would feel: numbers that were rounded already, to
       // Scalar or, as most data, to double, stay as they are.
       constexpr Scalar rounding =
-          4 * std::max(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
+          4 * (std::max)(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
       constexpr Scalar tolerance = Scalar(1) / Scalar(1000);
       const Scalar drift = GroupTraits<G>::drift(x);
       if (drift <= rounding) return x;

@@ -47,15 +47,15 @@ struct UniformKnots {
     if constexpr (std::floating_point<Time>) {
       reached = is_finite(domain(control_points, order).end);
     } else {
-      reached = segments <= static_cast<std::size_t>(Time::max() / interval) &&
-                start <= Time::max() - static_cast<typename Time::rep>(segments) * interval;
+      reached = segments <= static_cast<std::size_t>((Time::max)() / interval) &&
+                start <= (Time::max)() - static_cast<typename Time::rep>(segments) * interval;
     }
     if (!reached) {
       refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " from ", printable(start),
                                     " on end later than any time that there is");
     }
     if constexpr (std::floating_point<Time>) {
-      const Time end = domain(control_points, order).end, last = std::max(std::abs(start), std::abs(end));
+      const Time end = domain(control_points, order).end, last = (std::max)(std::abs(start), std::abs(end));
       detail::check_lengths<Scalar>("UniformKnots", interval, end - start);
       const Time resolution = std::numeric_limits<Time>::epsilon() * last;
       if (interval < 4 * resolution) {
@@ -98,7 +98,7 @@ struct UniformKnots {
       return s > 0 && since_knot(s, t) < 0 ? s - 1 : s;
     } else {
       const Time since = time_between(start, t);
-      return since < Time::zero() ? 0 : std::min(static_cast<std::size_t>(since / interval), last);
+      return since < Time::zero() ? 0 : (std::min)(static_cast<std::size_t>(since / interval), last);
     }
   }
 

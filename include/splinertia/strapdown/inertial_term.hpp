@@ -68,7 +68,7 @@ class InertialTerm {
   using Time = typename Curve::Time;
   using Rows = CalibrationRows;
   /// Stands on the diagonal for the information about an unknown of which there is none.
-  static constexpr Scalar nothing = std::numeric_limits<Scalar>::min();
+  static constexpr Scalar nothing = (std::numeric_limits<Scalar>::min)();
 
   /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
   /// not finite or not later than the one before it, for bad options, and if no sample is left.

@@ -107,9 +107,9 @@ template <Pose G, TimePoint Time>
     auto best = std::partition_point(next, pairs.end(), [&](const auto& pair) { return since(pair) < delta; });
     if (best == pairs.end() || (best != next && miss(best - 1) <= miss(best))) --best;
     const auto j = static_cast<std::size_t>(best - pairs.begin());
-    const bool near = miss(best) <= delta * tolerance;
-    if (near) indices.emplace_back(i, j);
-    i = near && selection == PairSelection::consecutive ? j : i + 1;
+    const bool nearby = miss(best) <= delta * tolerance;
+    if (nearby) indices.emplace_back(i, j);
+    i = nearby && selection == PairSelection::consecutive ? j : i + 1;
   }
   if (indices.empty()) {
     refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,
