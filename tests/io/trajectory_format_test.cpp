@@ -176,6 +176,8 @@ TEST_CASE("formats that contradict themselves or the file are refused by the opt
         "--times: " + file.string() + " has stamps of its own, expected a file without");
   CHECK(error({.rate = 10, .times = file}, kitti) == "--pose-rate and --times: expected one of them");
   CHECK(error({.rate = 0}, kitti) == "--pose-rate: 0, expected a positive number of Hz, up to 1e9");
+  CHECK(error({.rate = 1e-9}, kitti) ==
+        "--pose-rate: at 1e-09 Hz the time of row 10 is 1e+10 s, expected at most 9e+09");
   CHECK(error({.time_unit = ns, .rate = 10}, kitti) ==
         "--time-unit: there are no stamps, but a --pose-rate; expected one of them");
   CHECK(error_of<std::runtime_error>([&] { (void)read_trajectory(file, {.columns = "t,x,y,z,qx,qy,qz,qw,-"}); }) ==

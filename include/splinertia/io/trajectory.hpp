@@ -82,8 +82,8 @@ class RowTimes {
   [[nodiscard]] std::chrono::nanoseconds at_rate(std::size_t row) const {
     const double time = static_cast<double>(row) / *rate_, most = 9e9;  // s; 64 bits of nanoseconds are 9.2e9
     if (time <= most) return to_ticks<std::chrono::nanoseconds>(time);
-    throw std::runtime_error(
-        message("at ", *rate_, " Hz row ", row, " has the time ", time, " s, expected at most ", most));
+    throw std::invalid_argument(
+        message("--pose-rate: at ", *rate_, " Hz the time of row ", row, " is ", time, " s, expected at most ", most));
   }
 
   void require_rows(const TextFile& file, std::size_t rows) const {
