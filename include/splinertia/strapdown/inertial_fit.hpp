@@ -84,6 +84,9 @@ class InertialModel {
   std::tuple<const CurveTerms&...> terms_;
 };
 
+template <typename Curve, typename... CurveTerms>
+InertialModel(const InertialTerm<Curve>&, const CurveTerms&...) -> InertialModel<Curve, CurveTerms...>;
+
 /// Of the equations only those of the border: the curve is known.
 template <typename System>
 struct BorderOnly {
