@@ -42,7 +42,8 @@ class SchemeErrors {
     if (!integrator_) {
       auto initial = truth;
       initial.time = sample.time;  // the IMU's clock is all that it has
-      integrator_.emplace(initial, gravity_);
+      // What an error model drops is part of the comparison, holes of the trajectory restart it.
+      integrator_.emplace(initial, gravity_, splinertia::GapOptions<double>{.policy = splinertia::GapPolicy::bridge});
     }
     integrator_->push(sample);
     const TrueState& state = integrator_->state();

@@ -7,6 +7,11 @@
 
 using namespace splinertia;
 
-Motion<Sophus::SO3d, 2> evaluate_at(std::span<const Sophus::SO3d, 4> points, const Basis<double, 4, 2>& basis) {
-  return evaluate<2>(points, basis);
+Motion<Sophus::SO3d, 2> evaluate_at(std::span<const Sophus::SO3d, 4> points,
+                                    const CumulativeBasis<double, 4, 2>& basis) {
+  return evaluate<2, Sophus::SO3d, 4>(points, basis);
+}
+
+CumulativeBasis<double, 4, 2> basis_at(const UniformKnots<double>& knots, double t) {
+  return knots.basis<double, 4, 2>(t, 10).basis;
 }

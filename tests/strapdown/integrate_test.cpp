@@ -126,9 +126,9 @@ TEST_CASE("Readings, states and gravity that are not finite are refused") {
   const auto at = [](double t, double force) { return Row{t, {0, 0, 0}, {force, 0, 0}}; };
   CHECK_THROWS_WITH(integrate<Midpoint>(initial, std::vector{at(1, 0), at(2, nan), at(3, 0)}),
                     "integrate: sample 1 at 2 has accel[0] = nan, expected a finite number");
-  CHECK_THROWS_WITH(integrate<Midpoint>({{}, {0, nan, 0}, {0, 0, 0}, 1}, std::vector{at(1, 0)}),
+  CHECK_THROWS_WITH(integrate<Midpoint>(NavState<double>{{}, {0, nan, 0}, {0, 0, 0}, 1}, std::vector{at(1, 0)}),
                     "integrate: the initial velocity[1] is nan, expected a finite number");
-  CHECK_THROWS_WITH(integrate<Midpoint>({{}, {0, 0, 0}, {0, 0, nan}, 1}, std::vector{at(1, 0)}),
+  CHECK_THROWS_WITH(integrate<Midpoint>(NavState<double>{{}, {0, 0, 0}, {0, 0, nan}, 1}, std::vector{at(1, 0)}),
                     "integrate: the initial position[2] is nan, expected a finite number");
   CHECK_THROWS_WITH(integrate<Midpoint>(initial, std::vector{at(1, 0)}, {0, 0, nan}),
                     "integrate: gravity[2] is nan, expected a finite number");

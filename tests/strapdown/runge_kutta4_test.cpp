@@ -42,6 +42,7 @@ TEST_CASE("A double step's middle comes from the cubic through four samples") {
   }
 }
 
-TEMPLATE_TEST_CASE("Double steps are off by at most twice as much as Midpoint, whatever the stamps", "", float, double) {
+TEMPLATE_TEST_CASE("Double steps are off by at most twice as much as Midpoint, whatever the stamps", "", float,
+                   double) {
   testing::check_never_amplifies<RungeKutta4DoubleStep, Midpoint, TestType>();
 }

@@ -64,8 +64,8 @@ const std::vector<double> hole_of_a_second = [] {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("A hole of a second between samples of 200 Hz is refused unless bridging is asked for", "", InSeconds,
-                   InNanoseconds) {
+TEMPLATE_TEST_CASE("A hole of a second between samples of 200 Hz is refused unless bridging is asked for", "",
+                   InSeconds, InNanoseconds) {
   CHECK(gaps<TestType>(hole_of_a_second) == -1);
   CHECK(gaps<TestType, float>(hole_of_a_second) == -1);
   CHECK(gaps<TestType, long double>(hole_of_a_second) == -1);

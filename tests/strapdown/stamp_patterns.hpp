@@ -68,9 +68,11 @@ double error_on(const std::vector<double>& stamps, double speed, double noise, d
       if (i == 0) continue;
       const auto& sum = ideal[i - 1];
       // Like a unit that sums at its own pace: the noise of an increment does not know the stamps.
-      integrator.push(TimedImuIncrement<Scalar, double>{
-          stamps[i], (sum.delta_angle + 0.005 * noise * random()).template cast<Scalar>(),
-          (sum.delta_velocity + 0.05 * noise * random()).template cast<Scalar>()}, visit);
+      integrator.push(
+          TimedImuIncrement<Scalar, double>{stamps[i],
+                                            (sum.delta_angle + 0.005 * noise * random()).template cast<Scalar>(),
+                                            (sum.delta_velocity + 0.05 * noise * random()).template cast<Scalar>()},
+          visit);
     } else {
       const double late = i == 0 ? 0 : lateness * normal(bits);
       const auto imu = ideal_imu(motion.evaluate<2>(stamps[i] + late));

@@ -50,10 +50,10 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
       return h[i] <= Scalar(4) * h[j] && h[j] <= Scalar(4) * h[i];
     };
     const std::size_t pair = from == 0 ? 0 : 1;
-    const bool sloped = alike(pair, pair + 1);
     using std::abs;
-    // Without curvature where what is left out is as little of that term.
-    const bool curved = full && abs(offset) > step * Scalar(1e-6F) && sloped && alike(0, 1) && alike(0, 2) && alike(1, 2);
+    const bool straight = abs(offset) <= step * Scalar(1e-6F);  // what curvature adds is as little of that term
+    const bool sloped = straight || alike(pair, pair + 1);
+    const bool curved = full && !straight && sloped && alike(0, 1) && alike(0, 2) && alike(1, 2);
     // The slope A' there makes the moment step² A'/12; in divided differences of F = ∫A it is 2 F[0, 1, 2] + 2 offset
     // F[0, 1, 2, 3].
     const auto moment = [&](auto of) -> Vector3<Scalar> {

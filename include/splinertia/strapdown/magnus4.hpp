@@ -13,11 +13,11 @@ namespace splinertia {
 /// exact for cubics on the stamps as they are (regular ones have constant weights).
 ///
 /// Intervals that are too unequal: the weights of φ and ν never differ from the trapezoid's by more than h in sum, so
-/// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples and
-/// the nearest one on the side of the longer interval takes its place, and where that would, the straight line. Between
-/// inner samples the cubic stays while no neighbouring interval is below 0.27 of the step's, and the parabola while one
-/// of them is a third of it; so intervals within a factor of three of each other keep order 4. A run of two samples is
-/// integrated with the line, one of three with the parabola.
+/// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples
+/// and the nearest one on the side of the longer interval takes its place, and where that would, the straight line.
+/// Between inner samples the cubic stays while no neighbouring interval is below 0.27 of the step's, and the parabola
+/// while one of them is a third of it; so intervals within a factor of three of each other keep order 4. A run of two
+/// samples is integrated with the line, one of three with the parabola.
 ///
 /// What limits it: samples must be of a signal that is smooth to third order. Samples of a cubic spline are not (their
 /// third derivative jumps at knots): there, and with noise, it is no better than Midpoint.

@@ -33,7 +33,7 @@ class SampleWindow {
 
   /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
   explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {})
-      : stamps_(start, gaps, std::max<std::size_t>(window - 1, 1)) {
+      : stamps_(start, gaps, window > 1 ? static_cast<int>(window) - 1 : 1) {
     const Vector3<Scalar> zero = Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
       samples_.fill({{zero, zero, Scalar(0)}, start});
