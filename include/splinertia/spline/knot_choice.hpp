@@ -59,7 +59,8 @@ struct MotionAtScale {
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] std::optional<MotionAtScale<G>> motion_at_scale(const UnbrokenPoses<G, Time>& unbroken, double h) {
   constexpr std::size_t most = 4096;
-  const auto& [poses, part] = unbroken;
+  const auto& poses = unbroken.poses;
+  const auto& part = unbroken.part;
   const auto since_first = [&](std::size_t i) { return seconds<double>(poses[i].time - poses.front().time); };
   std::array<std::size_t, 5> at{};
   MotionAtScale<G> sum{Tangent<G>::Zero(), Tangent<G>::Zero()};

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Any bytes as IMU samples in a NumPy file.
+#include <splinertia/io/npy_imu.hpp>
+
+#include "fuzz/samples.hpp"
+
+namespace {
+
+using namespace splinertia;
+
+const fuzz::Target target{"npy_imu", [](fuzz::Input input) {
+                            static fuzz::InputBytes file("imu.npy");
+                            fuzz::expect_round_trip(
+                                file.with(input.rest()), [](const auto& path) { return read_npy_imu(path); },
+                                [](const auto& path, const auto& samples) { write_npy_imu(path, samples); });
+                          }};
+
+}  // namespace
