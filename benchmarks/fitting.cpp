@@ -141,7 +141,7 @@ template <typename Curve>
 Curve poses_as_control_points(const std::vector<Stamped<Pose3>>& data, double interval) {
   const auto knots = even_knots<KnotsOf<Curve>>(
       data.front().time, data.back().time,
-      static_cast<std::size_t>(std::ceil(seconds<double>(data.back().time - data.front().time) / interval)),
+      static_cast<std::size_t>(std::ceil(to_seconds<double>(data.back().time - data.front().time) / interval)),
       Curve::order);
   std::size_t control_points = Curve::order;
   while (knots.domain(control_points, Curve::order).end < data.back().time) ++control_points;

@@ -1,10 +1,12 @@
 # A dependency provider: where a preset (or you) names this file in CMAKE_PROJECT_TOP_LEVEL_INCLUDES, a package that
-# find_package does not find is fetched, once, into SPLINERTIA_DEPS_DIR. Nothing is installed, nothing needs root.
+# find_package does not find is fetched, once, into SPLINERTIA_DEPS_DIR. Nothing is installed, nothing needs root, and
+# nothing that is fetched is run while configuring, except by the kind "build".
 cmake_minimum_required(VERSION 3.24)
 include_guard(GLOBAL)
 cmake_path(SET splinertia_deps NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../build/deps")
 set(SPLINERTIA_DEPS_DIR "${splinertia_deps}" CACHE PATH "Where fetched packages are kept")
 set(SPLINERTIA_DEPS_SOURCES git apt build pip CACHE STRING "Where to fetch from, in this order")
+option(SPLINERTIA_FETCH_OPTIONAL_PACKAGES "Fetch also what only some tests and examples use" OFF)
 
 # package | kind | what to get. The folder in SPLINERTIA_DEPS_DIR is named after the first three cells.
 #   git: tag, url, the commit that the tag must be   apt: package   pip: version, name, sha256 of the source archive
@@ -20,9 +22,14 @@ set(splinertia_sources
   "Catch2|apt|catch2"
   "CLI11|git|v2.4.2|https://github.com/CLIUtils/CLI11.git|6c7b07a878ad834957b98d0f9ce1dbe0cb204fc9|include/CLI|CLI"
   "CLI11|apt|libcli11-dev"
+  "Ceres|apt|libceres-dev"
+  "Boost|apt|libboost-dev"
   "yaml-cpp|apt|libyaml-cpp-dev"
   "yaml-cpp|build|0.8.0|https://github.com/jbeder/yaml-cpp.git|f7320141120f720aecc4c32be25586e7da9eb978|\
 -DYAML_CPP_BUILD_CONTRIB=OFF -DYAML_CPP_BUILD_TOOLS=OFF")
+if(NOT SPLINERTIA_FETCH_OPTIONAL_PACKAGES)
+  list(FILTER splinertia_sources EXCLUDE REGEX "^(Ceres|Boost)[|]")
+endif()
 
 # Runs a command quietly; a failure is a line of the verbose log and <ok> = FALSE.
 function(splinertia_run ok seconds)
@@ -98,20 +105,15 @@ function(splinertia_fetch_build prefix tag url commit options)
   endif()
 endfunction()
 
-# Downloads <package>, and what it needs in one version exactly, which is the compiled library that belongs to its
-# headers, into the new folder <folder>, by the command <apt>.
+# Downloads <package>, and what it needs and this machine lacks, into the new folder <folder>, by the command <apt>.
 function(splinertia_apt_download ok package folder apt)
   file(MAKE_DIRECTORY "${folder}")
-  splinertia_run(done 120 ${CMAKE_COMMAND} -E chdir "${folder}" ${apt} download "${package}")
-  if(done)
-    file(GLOB archive "${folder}/*.deb")
-    execute_process(COMMAND "${SPLINERTIA_DPKG}" -f "${archive}" Depends OUTPUT_VARIABLE depends)
-    string(REGEX MATCHALL "[^ ,]+ [(]= [^)]+" libraries "${depends}")
-    string(REPLACE " (= " "=" libraries "${libraries}")
-    if(libraries)
-      splinertia_run(done 120 ${CMAKE_COMMAND} -E chdir "${folder}" ${apt} download ${libraries})
-    endif()
-  endif()
+  execute_process(COMMAND ${apt} --simulate --no-install-recommends install "${package}"
+    OUTPUT_VARIABLE text ERROR_QUIET TIMEOUT 60)
+  string(REGEX MATCHALL "Inst [^ ]+" lacking "${text}")
+  list(TRANSFORM lacking REPLACE "Inst " "")
+  list(REMOVE_ITEM lacking "${package}")
+  splinertia_run(done 300 ${CMAKE_COMMAND} -E chdir "${folder}" ${apt} download "${package}" ${lacking})
   set(${ok} ${done} PARENT_SCOPE)
 endfunction()
 
@@ -135,9 +137,11 @@ function(splinertia_fetch_apt prefix package)
     list(FILTER rows INCLUDE REGEX "[|]apt[|]")
     foreach(row IN LISTS rows)
       string(REGEX REPLACE ".*[|]" "" wanted "${row}")
-      splinertia_apt_download(ok "${wanted}" "${work}/new/${wanted}" "${apt}")
-      if(ok AND NOT EXISTS "${archives}/${wanted}")
-        file(RENAME "${work}/new/${wanted}" "${archives}/${wanted}")
+      if(NOT EXISTS "${archives}/${wanted}")
+        splinertia_apt_download(ok "${wanted}" "${work}/new/${wanted}" "${apt}")
+        if(ok)
+          file(RENAME "${work}/new/${wanted}" "${archives}/${wanted}")
+        endif()
       endif()
     endforeach()
     file(REMOVE_RECURSE "${work}")
@@ -150,6 +154,14 @@ function(splinertia_fetch_apt prefix package)
       return()
     endif()
   endforeach()
+  # BLAS and LAPACK have folders of their own, and installing would link one of several into the common folder.
+  file(GLOB libraries "${prefix}/usr/lib/*/*/libblas.so.3" "${prefix}/usr/lib/*/*/liblapack.so.3")
+  foreach(library IN LISTS libraries)
+    cmake_path(GET library FILENAME name)
+    cmake_path(GET library PARENT_PATH folder)
+    cmake_path(GET folder FILENAME folder_name)
+    file(CREATE_LINK "${folder_name}/${name}" "${folder}/../${name}" SYMBOLIC)
+  endforeach()
 endfunction()
 
 function(splinertia_fetch_pip prefix version name sha256 folder include_name)
@@ -158,9 +170,9 @@ function(splinertia_fetch_pip prefix version name sha256 folder include_name)
   if(NOT SPLINERTIA_PYTHON)
     return()
   endif()
-  file(WRITE "${prefix}/source/requirements.txt" "${name}==${version} --hash=sha256:${sha256}\n")
-  splinertia_run(ok 300 "${SPLINERTIA_PYTHON}" -m pip download --quiet --no-deps --no-binary "${name}" --require-hashes
-    --requirement "${prefix}/source/requirements.txt" --dest "${prefix}/source")
+  file(MAKE_DIRECTORY "${prefix}/source")
+  splinertia_run(ok 300 "${SPLINERTIA_PYTHON}" "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch_source_archive.py"
+    "${name}" "${version}" "${sha256}" "${prefix}/source")
   if(ok)
     file(ARCHIVE_EXTRACT INPUT "${prefix}/source/${name}-${version}.tar.gz" DESTINATION "${prefix}/source")
     file(COPY "${prefix}/source/${name}-${version}/${folder}/" DESTINATION "${prefix}/include/${include_name}")
@@ -260,6 +272,7 @@ print(*[m for m in sys.argv[1:] if u.find_spec(m) is None], sep=';', end='')" ${
 endfunction()
 
 # Only names a place to look: the find_package that called us then goes on as usual, with <package>_ROOT set.
+set(splinertia_configs "${CMAKE_CURRENT_LIST_DIR}/fetched")
 macro(splinertia_provide_dependency method package)
   if("${splinertia_sources}" MATCHES "(^|;)${package}[|]")
     find_package(${package} CONFIG QUIET BYPASS_PROVIDER)
@@ -267,6 +280,9 @@ macro(splinertia_provide_dependency method package)
       splinertia_provide(${package} ${package}_ROOT)
       if(EXISTS "${${package}_ROOT}/usr")
         string(APPEND ${package}_ROOT "/usr")
+        if(EXISTS "${splinertia_configs}/${package}Config.cmake")   # ours, in place of the package's own
+          set(${package}_DIR "${splinertia_configs}")
+        endif()
       endif()
     endif()
   endif()

@@ -97,7 +97,7 @@ Row reckon(const Inputs& in, double window, const Options& o) {
     const bool nearer_before = next == samples.end() || target - samples[last - 1].time < samples[last].time - target;
     if (nearer_before && last - 1 > first) --last;
     if (last == samples.size()) break;
-    const bool as_long = std::abs(seconds<double>(samples[last].time - target)) <= 0.01 * window;
+    const bool as_long = std::abs(to_seconds<double>(samples[last].time - target)) <= 0.01 * window;
     if (!as_long && next == samples.end()) break;  // what is left over
     const auto end = truth_at(samples[last].time);
     if (as_long && end) {
@@ -169,9 +169,9 @@ void run(const Options& o) {
   in.setup = setup(o, truth.with_biases);
   std::fputs(truth.notes.c_str(), stdout);
   std::printf("%s: %zu samples over %g s\n%s: %zu %s over %g s\n", o.imu.string().c_str(), samples.size(),
-              seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
+              to_seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
               truth.rows.size(), truth.with_velocities ? "states" : "poses with neighbours to take a velocity from,",
-              seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
+              to_seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
   std::vector<Row> rows;
   for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(in, window, o));
 

@@ -39,7 +39,7 @@ void plot(const Options& o) {
 void run(Options& o) {
   const FitInput input = read_fit_input(o.input);
   if (!input.poses.empty()) {
-    check_sampling_rate(o.rate, seconds<double>(input.poses.back().time - input.poses.front().time));
+    check_sampling_rate(o.rate, to_seconds<double>(input.poses.back().time - input.poses.front().time));
   }
   const FitImu* imu = o.imu.file.empty() ? nullptr : &o.imu;
   if (imu) {

@@ -153,12 +153,12 @@ class Run {
 
 void simulate_along(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o,
                     const Sensor& sensor) {
-  check_sampling_rate(sensor.rate, seconds<double>(truth.end() - truth.start()));
+  check_sampling_rate(sensor.rate, to_seconds<double>(truth.end() - truth.start()));
   const auto readings =
       simulate(truth, sensor.errors, {.rate = sensor.rate, .seed = o.seed, .gravity = o.gravity.vector});
   const nanoseconds duration = readings.time(readings.size() - 1) - readings.time(0);
-  std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", readings.size(), sensor.rate, seconds<double>(duration),
-              static_cast<unsigned long long>(o.seed));
+  std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", readings.size(), sensor.rate,
+              to_seconds<double>(duration), static_cast<unsigned long long>(o.seed));
   std::fputs(describe(sensor.errors).c_str(), stdout);
   Run run(truth, holes, o, sensor);
   run.follow(readings);

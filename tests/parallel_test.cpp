@@ -17,7 +17,7 @@ TEST_CASE("every index is visited once, whatever the policy") {
   };
   for (const std::size_t count : {0u, 1u, 2u, 1000u}) {
     const std::vector<int> once(count, 1);
-    CHECK(visits(Sequential{}, count) == once);
+    CHECK(visits(SingleThread{}, count) == once);
     CHECK(visits(Parallel{}, count) == once);
     for (const unsigned threads : {1u, 2u, 7u}) CHECK(visits(Parallel{threads}, count) == once);
   }
@@ -26,7 +26,7 @@ TEST_CASE("every index is visited once, whatever the policy") {
 TEST_CASE("one after the other in order, in this thread") {
   const auto here = std::this_thread::get_id();
   std::vector<std::size_t> order;
-  for_each_index(Sequential{}, 5, [&](std::size_t i) {
+  for_each_index(SingleThread{}, 5, [&](std::size_t i) {
     order.push_back(i);
     CHECK(std::this_thread::get_id() == here);
   });
@@ -49,7 +49,7 @@ TEST_CASE("an exception reaches the caller, and what has not begun is left out")
     ++calls;
     if (i == 3) throw std::runtime_error("the fourth");
   };
-  CHECK_THROWS_WITH(for_each_index(Sequential{}, 100000, fail), "the fourth");
+  CHECK_THROWS_WITH(for_each_index(SingleThread{}, 100000, fail), "the fourth");
   CHECK(calls == 4);
   calls = 0;
   CHECK_THROWS_WITH(for_each_index(Parallel{2}, 100000, fail), "the fourth");

@@ -17,9 +17,9 @@ TEST_CASE("Time is a floating-point number of seconds or an integer duration") {
 }
 
 TEST_CASE("Differences become seconds of the scalar asked for") {
-  CHECK(seconds<double>(0.25) == 0.25);
-  CHECK(seconds<double>(nanoseconds{5'000'000}) == 0.005);
-  CHECK(seconds<float>(microseconds{250}) == 250e-6F);
+  CHECK(to_seconds<double>(0.25) == 0.25);
+  CHECK(to_seconds<double>(nanoseconds{5'000'000}) == 0.005);
+  CHECK(to_seconds<float>(microseconds{250}) == 250e-6F);
 }
 
 TEST_CASE("A time after another is rounded to the nearest tick") {

@@ -77,7 +77,7 @@ Poses measured_poses(const std::filesystem::path& file) {
   const auto stamped = splinertia::read_trajectory(file).poses;
   Poses poses;
   for (const auto& [time, pose] : stamped) {
-    poses.push_back({splinertia::seconds<double>(time - stamped.front().time), pose});
+    poses.push_back({splinertia::to_seconds<double>(time - stamped.front().time), pose});
   }
   return poses;
 }

@@ -32,7 +32,7 @@ TrueStates states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double l
     const auto& [t0, x0] = poses[i - 1];
     const auto& [t1, x1] = poses[i];
     const auto& [t2, x2] = poses[i + 1];
-    const double h0 = seconds<double>(t1 - t0), h1 = seconds<double>(t2 - t1);
+    const double h0 = to_seconds<double>(t1 - t0), h1 = to_seconds<double>(t2 - t1);
     if (h0 > longest_gap || h1 > longest_gap) continue;
     const Eigen::Vector3d v0 = (position(x1) - position(x0)) / h0, v1 = (position(x2) - position(x1)) / h1;
     result.rows.push_back({{rotation(x1), (h1 * v0 + h0 * v1) / (h0 + h1), position(x1), t1}, ImuBias<double>{}});
@@ -61,9 +61,9 @@ std::optional<Truth> at(const TrueStates& truth, nanoseconds time, double longes
   if (after == rows.begin()) return std::nullopt;
   const State &a = (after - 1)->state, &b = after->state;
   const ImuBias<double>&bias_a = (after - 1)->bias, &bias_b = after->bias;
-  const double h = seconds<double>(b.time - a.time);
+  const double h = to_seconds<double>(b.time - a.time);
   if (h > longest_gap) return std::nullopt;
-  const double s = seconds<double>(time - a.time) / h, r = 1 - s;
+  const double s = to_seconds<double>(time - a.time) / h, r = 1 - s;
   const auto mix = [s, r](const Eigen::Vector3d& x, const Eigen::Vector3d& y) -> Eigen::Vector3d {
     return r * x + s * y;
   };

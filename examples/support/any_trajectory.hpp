@@ -84,7 +84,7 @@ class AnyTrajectory {
     template <int D>
     splinertia::Motion<Group, D> at(Time t) const {
       if constexpr (std::same_as<typename Curve::Time, double>) {
-        return as_split_motion(curve.template evaluate<D>(splinertia::seconds<double>(t)));
+        return as_split_motion(curve.template evaluate<D>(splinertia::to_seconds<double>(t)));
       } else {
         return as_split_motion(curve.template evaluate<D>(t));
       }

@@ -27,7 +27,7 @@ void raise(Peak& peak, double value, nanoseconds time) {
 void peaks_of_curve(const FittedTrajectory& fitted, const Eigen::Vector3d& gravity, double rate, Extremes& result) {
   const std::vector<nanoseconds> breaks = fitted.breaks();
   for (std::size_t i = 0; i < breaks.size(); ++i) {
-    const double length = i + 1 < breaks.size() ? seconds<double>(breaks[i + 1] - breaks[i]) : 0;
+    const double length = i + 1 < breaks.size() ? to_seconds<double>(breaks[i + 1] - breaks[i]) : 0;
     const double count = length > 0 ? std::max(4.0, std::ceil(length * rate)) : 1;
     for (double k = 0; k < count; ++k) {
       const nanoseconds time = std::min(after(breaks[i], k * length / count), fitted.curve.end());
@@ -61,7 +61,7 @@ void peak_of_turns(const Poses& poses, nanoseconds least, Peak& peak) {
     while (j < poses.size() && poses[j].time < poses[i].time + least) ++j;
     if (j == poses.size()) break;
     const nanoseconds length = poses[j].time - poses[i].time;
-    raise(peak, increment(rotation(poses[i].value), rotation(poses[j].value)).norm() / seconds<double>(length),
+    raise(peak, increment(rotation(poses[i].value), rotation(poses[j].value)).norm() / to_seconds<double>(length),
           poses[i].time + length / 2);
   }
 }
@@ -73,7 +73,7 @@ void peak_of_second_differences(const Poses& poses, nanoseconds window, const Ei
     while (behind < poses.size() && poses[behind].time < time + window) ++behind;
     if (behind == poses.size()) break;
     if (poses[before].time > time - window) continue;
-    const double h0 = seconds<double>(time - poses[before].time), h1 = seconds<double>(poses[behind].time - time);
+    const double h0 = to_seconds<double>(time - poses[before].time), h1 = to_seconds<double>(poses[behind].time - time);
     const Eigen::Vector3d v0 = (position(pose) - position(poses[before].value)) / h0;
     const Eigen::Vector3d v1 = (position(poses[behind].value) - position(pose)) / h1;
     raise(peak, (2 * (v1 - v0) / (h0 + h1) - gravity).norm(), time);
@@ -97,7 +97,7 @@ nanoseconds window_of(const PoseNoise& noise, nanoseconds usual, nanoseconds kno
 
 std::string cell(const Peak& peak, nanoseconds first) {
   if (peak.value < 0) return "         -          -";
-  return formatted(" %9.4g %10.3f", peak.value, seconds<double>(peak.time - first));
+  return formatted(" %9.4g %10.3f", peak.value, to_seconds<double>(peak.time - first));
 }
 
 }  // namespace
@@ -114,8 +114,8 @@ Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eige
     peak_of_turns(stretch, usual / 2, result.differences.gyro);
     peak_of_second_differences(stretch, result.window, gravity, result.differences.accel);
   }
-  const double window = seconds<double>(result.window);
-  result.gyro_noise = largest_of_many * std::sqrt(2.0) * result.noise.rotation / seconds<double>(usual);
+  const double window = to_seconds<double>(result.window);
+  result.gyro_noise = largest_of_many * std::sqrt(2.0) * result.noise.rotation / to_seconds<double>(usual);
   result.accel_noise = largest_of_many * std::sqrt(6.0) * result.noise.position / (window * window);
   return result;
 }
@@ -135,7 +135,7 @@ std::string extremes_text(const Extremes& found, nanoseconds first) {
   text += formatted(
       "differences: turns between neighbouring poses; second differences of positions %.3g s apart, less "
       "gravity\n",
-      seconds<double>(found.window));
+      to_seconds<double>(found.window));
   if (!std::isfinite(found.gyro_noise + found.accel_noise)) return text;
   return text + formatted(
                     "noise of the poses, found in their differences: %.2g rad and %.2g m; it alone makes "
@@ -180,7 +180,7 @@ std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTr
 
   // A residual r that the knots leave is about an angular velocity of r over a knot interval that is missing.
   const double residual = lengths(fitted.distances.rotation, fitted.outliers).rms;
-  const double missing = residual / seconds<double>(knot_interval(fitted));
+  const double missing = residual / to_seconds<double>(knot_interval(fitted));
   const double noise = std::sqrt(3.0) * found.noise.rotation;
   if (noise > 0 && residual > 3 * noise && missing > std::max(nothing, 0.01 * found.measured.gyro.value)) {
     lines.push_back(

@@ -18,7 +18,7 @@ constexpr std::size_t most_lines = 20;
 std::string knots_text(const FittedTrajectory& fitted, const FitChoices& o) {
   const std::size_t segments = fitted.control_points.size() - static_cast<std::size_t>(o.order) + 1;
   if (fitted.interval) {
-    std::string text = formatted("knots: uniform, %.6g s apart", seconds<double>(*fitted.interval));
+    std::string text = formatted("knots: uniform, %.6g s apart", to_seconds<double>(*fitted.interval));
     if (!fitted.why_interval.empty()) text += " (" + fitted.why_interval + ')';
     if (o.cross_validate) text += ", the longest interval that predicts poses left out as well as the best";
     if (o.goal_position) {
@@ -30,7 +30,7 @@ std::string knots_text(const FittedTrajectory& fitted, const FitChoices& o) {
   if (o.interpolate) return "knots: at the poses";
   double shortest = INFINITY, longest = 0;
   for (std::size_t i = 1; i < fitted.knots.size(); ++i) {
-    const double length = seconds<double>(fitted.knots[i] - fitted.knots[i - 1]);
+    const double length = to_seconds<double>(fitted.knots[i] - fitted.knots[i - 1]);
     if (length > 0) shortest = std::min(shortest, length);
     longest = std::max(longest, length);
   }
@@ -139,7 +139,7 @@ std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted, b
   return formatted(
       "from %.3f to %.3f s there are no poses: their neighbours hold the curve there, but its derivatives "
       "are hardly measured",
-      seconds<double>(from - poses.front().time), seconds<double>(to - poses.front().time));
+      to_seconds<double>(from - poses.front().time), to_seconds<double>(to - poses.front().time));
 }
 
 std::string tried_warning(const FittedTrajectory& fitted) {
@@ -176,9 +176,9 @@ std::string fit_report(const FitInput& input, const FittedTrajectory& fitted, co
   const nanoseconds first = poses.front().time, last = poses.back().time;
   std::string text = input.notes;
   text += formatted("%s: %zu poses over %.9g s from %lld to %lld ns, longest interval %.4g s\n",
-                    input.file.string().c_str(), poses.size(), seconds<double>(last - first),
+                    input.file.string().c_str(), poses.size(), to_seconds<double>(last - first),
                     static_cast<long long>(first.count()), static_cast<long long>(last.count()),
-                    seconds<double>(longest_interval(poses)));
+                    to_seconds<double>(longest_interval(poses)));
   text += formatted("spline: order %d on %s, %zu control points\n", o.order,
                     o.group == "split" ? "SO(3) x R^3" : "SE(3)", fitted.control_points.size());
   text += knots_text(fitted, o) + '\n' + fit_text(fitted, o) + '\n';

@@ -8,7 +8,7 @@
 #include "support/formatted.hpp"
 
 using splinertia::message;
-using splinertia::seconds;
+using splinertia::to_seconds;
 using std::chrono::nanoseconds;
 
 std::optional<std::size_t> hole_at(const std::vector<Hole>& holes, nanoseconds time) {
@@ -27,7 +27,7 @@ std::vector<std::string> hole_lines(const std::vector<Hole>& holes, nanoseconds 
       break;
     }
     const auto [start, end] = holes[i];
-    lines.push_back(formatted("%.3f - %.3f s", seconds<double>(start - first), seconds<double>(end - first)));
+    lines.push_back(formatted("%.3f - %.3f s", to_seconds<double>(start - first), to_seconds<double>(end - first)));
     if (!what.empty()) lines.back() += ": " + what[i];
   }
   return lines;
@@ -36,7 +36,7 @@ std::vector<std::string> hole_lines(const std::vector<Hole>& holes, nanoseconds 
 std::string holes_csv(const std::vector<Hole>& holes) {
   std::string text = "#start [ns],end [ns],length [s]\n";
   for (const auto& [start, end] : holes) {
-    text += message(start.count(), ',', end.count(), ',', seconds<double>(end - start), '\n');
+    text += message(start.count(), ',', end.count(), ',', to_seconds<double>(end - start), '\n');
   }
   return text;
 }

@@ -50,12 +50,12 @@ class Clock {
   }
 
   [[nodiscard]] double time_of(std::size_t row) const {
-    return rate_ ? static_cast<double>(row) / *rate_ : seconds<double>(columns_.times[row] - columns_.times.front());
+    return rate_ ? static_cast<double>(row) / *rate_ : to_seconds<double>(columns_.times[row] - columns_.times.front());
   }
 
   [[nodiscard]] double duration() const {
     return rate_ ? static_cast<double>(columns_.rows) / *rate_
-                 : seconds<double>(columns_.times.back() - columns_.times.front());
+                 : to_seconds<double>(columns_.times.back() - columns_.times.front());
   }
 
  private:

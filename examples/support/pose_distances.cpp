@@ -70,7 +70,7 @@ std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& 
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
   }
   std::vector<std::string> lines;
-  const auto since_first = [&](std::size_t i) { return seconds<double>(poses[i].time - poses.front().time); };
+  const auto since_first = [&](std::size_t i) { return to_seconds<double>(poses[i].time - poses.front().time); };
   for (const Run& run : runs) {
     lines.push_back(run.first == run.last ? formatted("%.3f s", since_first(run.first))
                                           : formatted("%.3f - %.3f s", since_first(run.first), since_first(run.last)));

@@ -18,7 +18,7 @@
 namespace splinertia {
 
 /// One after the other in the thread that calls.
-struct Sequential {};
+struct SingleThread {};
 
 /// Several at once, in so many threads, that which calls among them; 0: as many as the machine runs at once.
 struct Parallel {
@@ -26,10 +26,10 @@ struct Parallel {
 };
 
 template <typename P>
-concept ExecutionPolicy = std::same_as<P, Sequential> || std::same_as<P, Parallel>;
+concept ExecutionPolicy = std::same_as<P, SingleThread> || std::same_as<P, Parallel>;
 
 /// f(0), f(1), …, f(count − 1).
-inline void for_each_index(Sequential, std::size_t count, const auto& f) {
+inline void for_each_index(SingleThread, std::size_t count, const auto& f) {
   for (std::size_t i = 0; i < count; ++i) f(i);
 }
 

@@ -22,7 +22,7 @@ concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
 
 /// A time difference in seconds. Differences are taken in the type of time, so that epoch stamps lose nothing.
 template <typename Scalar, TimePoint Time>
-[[nodiscard]] constexpr Scalar seconds(Time difference) {
+[[nodiscard]] constexpr Scalar to_seconds(Time difference) {
   if constexpr (std::floating_point<Time>) {
     return static_cast<Scalar>(difference);
   } else {

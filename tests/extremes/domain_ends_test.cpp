@@ -34,7 +34,7 @@ double largest_jump(const Spline<G, Order, UniformKnots<Time>>& curve) {
     for (std::size_t i = 0; i < Order; ++i) points[i] = Layout<G>::widen(curve.control_points()[first + i]);
     const auto sizes = reference_from<Order>(points, basis);
     // A time that is rounded moves the place between knots by a unit, too.
-    const Long step = 2 * seconds<Long>(b - a);
+    const Long step = 2 * to_seconds<Long>(b - a);
     const auto judge = [&](std::size_t order, const auto& difference) {
       if (static_cast<int>(order) > Order - 2) return;  // jumps are its nature
       for (const bool turns : {true, false}) {
@@ -80,7 +80,7 @@ void check_ends(Time start, Time interval) {
     const Spline<G, Order, UniformKnots<Time>> tail({start, interval}, {points.end() - Order, points.end()});
     const auto alone = tail.template at<3>(tail.end()).value;
     const auto tolerance = 64 * std::numeric_limits<ScalarOf<G>>::epsilon();
-    if (std::abs(seconds<double>(start)) < 1e3) CHECK(increment<G>(last, alone).norm() < tolerance);
+    if (std::abs(to_seconds<double>(start)) < 1e3) CHECK(increment<G>(last, alone).norm() < tolerance);
   });
 }
 

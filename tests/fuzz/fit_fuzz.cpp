@@ -57,7 +57,8 @@ void use_fit(fuzz::Input& input) {
     if (input.flag()) options.weights.assign(poses.size(), numbers());
     // As many control points as there is memory for: not more than a few thousand here.
     if (options.knot_interval && *options.knot_interval < 1e-3) return;
-    if (poses.size() > 1 && !(seconds<double>(poses.back().time) - seconds<double>(poses.front().time) < 1000)) return;
+    if (poses.size() > 1 && !(to_seconds<double>(poses.back().time) - to_seconds<double>(poses.front().time) < 1000))
+      return;
     const auto result = fit<Curve>(poses, options);
     expect_curve(result.spline, numbers.usual);
     fuzz::expect(result.residuals.poses.size() == poses.size(), result.residuals.poses.size(), " residuals");

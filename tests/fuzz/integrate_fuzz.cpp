@@ -69,7 +69,7 @@ void use(fuzz::Numbers& numbers) {
     double force = 0;
     for (const auto& sample : samples) force = std::max(force, sample.accel.norm());
     for (const auto& state : states) {
-      const double elapsed = seconds<double>(state.time - initial.time);
+      const double elapsed = to_seconds<double>(state.time - initial.time);
       const double most =
           initial.v_WB.norm() + (gravity.norm() + (Scheme::takes_increments ? 1e9 : 2 * force)) * elapsed;
       const double speed = state.v_WB.norm();

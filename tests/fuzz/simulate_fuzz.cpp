@@ -45,9 +45,9 @@ void add_term(fuzz::Numbers& n, AnySensorModel& model) {
     case 10:
       return model.add(ScaleFactor{any()});
     case 11:
-      return model.add(TemperatureBias<double>{any(), {n(), n(), n()}, n()});
+      return model.add(TemperatureBias{any(), WarmUp<double>{n(), n(), n()}, n()});
     case 12:
-      return model.add(TemperatureScale<double>{any(), {n(), n(), n()}, n()});
+      return model.add(TemperatureScale{any(), WarmUp<double>{n(), n(), n()}, n()});
     case 13:
       return model.add(SinusoidalVibration{any(), any(), any()});
     case 14:

@@ -85,7 +85,7 @@ void use(fuzz::Input& input) {
     double shortest = std::numeric_limits<double>::infinity(), largest = 1;
     for (std::size_t s = 0; s < curve.segments(); ++s) {
       const double length =
-          seconds<double>(curve.knots().knot(s + 1, Curve::order) - curve.knots().knot(s, Curve::order));
+          to_seconds<double>(curve.knots().knot(s + 1, Curve::order) - curve.knots().knot(s, Curve::order));
       if (length > 0) shortest = std::min(shortest, length);
     }
     for (const auto& d : curve.increments()) largest = std::max(largest, static_cast<double>(d.norm()));
@@ -95,7 +95,7 @@ void use(fuzz::Input& input) {
     const bool usual = numbers.usual && shortest > 1e-6;
     const double rounding = 100 * static_cast<double>(std::numeric_limits<Scalar>::epsilon()) * largest;
     const auto at = [&](double share) {
-      return std::clamp(after(start, share * seconds<double>(end - start)), start, end);
+      return std::clamp(after(start, share * to_seconds<double>(end - start)), start, end);
     };
     for (int i = 0; i < 6; ++i) {
       const Time t = i == 0 ? start : i == 1 ? end : at(input.bits<std::uint16_t>() / 65535.0);

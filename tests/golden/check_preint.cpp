@@ -26,7 +26,7 @@ template <typename Scalar>
 struct Interval {
   nanoseconds length;
   Vector3<Scalar> gyro, gyro_slope, accel, accel_slope;
-  [[nodiscard]] Scalar seconds() const { return splinertia::seconds<Scalar>(length); }
+  [[nodiscard]] Scalar seconds() const { return splinertia::to_seconds<Scalar>(length); }
 };
 
 template <typename Scalar>

@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE("Stamps increase strictly, however much they jitter", "", dou
     for (std::size_t i = 0; i < readings.size(); ++i) {
       if (i > 0) REQUIRE(readings[i].time > readings[i - 1].time);
       REQUIRE(readings[i].true_time == after(epoch, static_cast<double>(i) / 200));
-      squares += std::pow(seconds<double>(readings[i].time - readings[i].true_time), 2);
+      squares += std::pow(to_seconds<double>(readings[i].time - readings[i].true_time), 2);
     }
     if (jitter == 1e-5) CHECK(std::abs(std::sqrt(squares / 5000) / jitter - 1) < 0.05);
   }

@@ -73,7 +73,7 @@ double round_trip(std::uint64_t seed) {
   const Curve curve(knots, random.walk<G>(control_points, 0.3));
   PosesOf<Curve> poses;
   constexpr int samples = 600;
-  const double length = seconds<double>(curve.end() - curve.start());
+  const double length = to_seconds<double>(curve.end() - curve.start());
   for (int i = 0; i <= samples; ++i) {
     const auto time = std::min(after(curve.start(), length * i / samples), curve.end());
     poses.push_back({time, curve.template evaluate<0>(time).value});

@@ -86,7 +86,7 @@ struct Pair {
   [[nodiscard]] std::vector<std::size_t> jumps(double further) const {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i + 1 < states.size(); ++i) {
-      const double dt = seconds<double>(states[i + 1].time - states[i].time);
+      const double dt = to_seconds<double>(states[i + 1].time - states[i].time);
       const Eigen::Vector3d step = position(poses[i + 1].value) - position(poses[i].value);
       if ((step - dt * states[i].velocity).norm() > further) found.push_back(i);
     }
@@ -102,7 +102,7 @@ struct Pair {
   void check_jumps(const char* loss, const Fit<Curve>& fitted) const {
     CHECK(fitted.converged);
     const auto near = [&](std::size_t i, std::size_t j) {
-      return std::abs(seconds<double>(poses[i].time - poses[j].time)) <= 2 * interval;
+      return std::abs(to_seconds<double>(poses[i].time - poses[j].time)) <= 2 * interval;
     };
     const auto large = jumps(5e-3);
     CHECK(large.size() == 13);

@@ -95,11 +95,11 @@ void compare(const Curve& curve, const SampleTimes<typename Curve::Time>& times,
 template <int D, typename Curve>
 void compare_at_all_rates(const Curve& curve) {
   using Time = typename Curve::Time;
-  const double duration = seconds<double>(curve.end() - curve.start());
+  const double duration = to_seconds<double>(curve.end() - curve.start());
   for (const double interval : {0.001, 0.07, 0.3, 0.25, 0.0625, duration}) {
     CAPTURE(interval);
     const auto step = after(Time{}, interval);
-    const auto count = static_cast<std::size_t>(duration / seconds<double>(step) + 1e-9) + 1;
+    const auto count = static_cast<std::size_t>(duration / to_seconds<double>(step) + 1e-9) + 1;
     compare<D>(curve, {curve.start(), step}, count);
   }
   compare<D>(curve, {after(curve.start(), 0.1), after(Time{}, 0.013)}, 7);

@@ -131,7 +131,7 @@ void check_uniform_data(const UniformKnots<Time>& knots, double tolerance) {
     const Time t = i == 70 ? uniform.end() : knots.start + i * knots.interval / 10;
     const auto a = uniform.template at<3>(t);
     const auto b = free.template at<3>(t);
-    const double rate = 1 / seconds<double>(knots.interval);
+    const double rate = 1 / to_seconds<double>(knots.interval);
     CHECK(increment<G>(a.value, b.value).norm() < tolerance);
     // Derivative k − 1 jumps at knots, and rounding decides which side it is.
     const int smooth = i % 10 == 0 ? Order - 2 : 3;

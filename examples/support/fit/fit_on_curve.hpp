@@ -213,7 +213,7 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
         // As fit() has it, with a knot at every pose.
         const double longest = 2.5 * median_interval(data);
         for (std::size_t i = 1; i < data.size(); ++i) {
-          if (seconds<double>(data[i].time - data[i - 1].time) > longest) {
+          if (to_seconds<double>(data[i].time - data[i - 1].time) > longest) {
             result.holes.push_back({data[i - 1].time, data[i].time});
           }
         }

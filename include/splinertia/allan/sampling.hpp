@@ -73,7 +73,7 @@ struct StampIntervals {
         if (is_break) {
           left_out += time - *last;
         } else {
-          durations.push_back(seconds<double>(time - *last));
+          durations.push_back(to_seconds<double>(time - *last));
           if (durations.back() > longest.duration) longest = {index - 1, *last, durations.back()};
         }
       } else {
@@ -85,7 +85,7 @@ struct StampIntervals {
     if (durations.size() < 2) {
       refuse<std::invalid_argument>("sampling: ", index, " stamps, expected at least 3");
     }
-    total = seconds<double>(*last - *first - left_out);
+    total = to_seconds<double>(*last - *first - left_out);
   }
 
  private:

@@ -67,11 +67,9 @@ using Tangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, 1>;
 template <typename G>
 using Jacobian = Eigen::Matrix<ScalarOf<G>, DofOf<G>, DofOf<G>>;
 
-template <typename Scalar>
-using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
-
-template <typename Scalar>
-using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
+// Eigen's own: an alias of ours would be ambiguous to who uses both namespaces.
+using Eigen::Matrix3;
+using Eigen::Vector3;
 
 /// A type with a complete GroupTraits. Demands only what evaluating a curve needs.
 template <typename G>

@@ -8,8 +8,7 @@
 
 namespace splinertia {
 
-template <typename Scalar>
-using Vector2 = Eigen::Matrix<Scalar, 2, 1>;
+using Eigen::Vector2;
 
 /// i ρ.
 template <typename Scalar>

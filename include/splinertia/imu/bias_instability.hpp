@@ -82,10 +82,10 @@ struct BiasInstability {
     Scalar correlation_time = Scalar(2) * band.longest;
     for (std::size_t i = 0; i < Stages; ++i) {
       // 1/(1 − 1/r) = r/(r − 1)
-      const Scalar more = i == 0 || i == Stages - 1 ? Scalar(1) / rise<Scalar>(log_ratio) : Scalar(1);
+      const Scalar more = i == 0 || i == Stages - 1 ? Scalar(1) / exponential_rise<Scalar>(log_ratio) : Scalar(1);
       result[i] = {correlation_time, sqrt(log_ratio / pi_of<Scalar>() * more),
                    GaussMarkovStep<Scalar>(interval / correlation_time)};
-      correlation_time *= decay<Scalar>(log_ratio);
+      correlation_time *= exponential_decay<Scalar>(log_ratio);
     }
     return result;
   }

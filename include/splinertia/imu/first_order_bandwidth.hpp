@@ -62,7 +62,7 @@ struct FirstOrderBandwidth {
     std::array<Step, 3> steps;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Scalar h = Scalar(2) * pi_of<Scalar>() * cutoff[axis] * interval;  // in units of τ
-      steps[axis].forget = rise<Scalar>(h);
+      steps[axis].forget = exponential_rise<Scalar>(h);
       steps[axis].ramp = h > Scalar(0) ? Scalar(Scalar(1) - steps[axis].forget / h) : Scalar(0);
     }
     return steps;

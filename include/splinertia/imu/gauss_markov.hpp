@@ -24,8 +24,8 @@ struct GaussMarkovStep {
   /// A step of h correlation times.
   explicit GaussMarkovStep(const Scalar& h) {
     using std::sqrt;
-    forget = rise<Scalar>(h);
-    deviation = sqrt(rise<Scalar>(Scalar(2) * h));
+    forget = exponential_rise<Scalar>(h);
+    deviation = sqrt(exponential_rise<Scalar>(Scalar(2) * h));
   }
 };
 

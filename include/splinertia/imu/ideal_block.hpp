@@ -62,7 +62,7 @@ class IdealImuBlock {
     {
       return L::load(times + i);
     }
-    [[nodiscard]] double intervals(Time duration) const { return seconds<double>(duration) * rate; }
+    [[nodiscard]] double intervals(Time duration) const { return to_seconds<double>(duration) * rate; }
   };
 
   Rows rows_;

@@ -38,7 +38,7 @@ class ImuErrors {
     const bool first = first_;
     if (first) start_ = time;
     first_ = false;
-    const Scalar elapsed = seconds<Scalar>(time - start_);
+    const Scalar elapsed = to_seconds<Scalar>(time - start_);
     Sample<Scalar> gyro{ideal.gyro, Vector3<Scalar>::Zero(), interval, first, elapsed, ideal};
     Sample<Scalar> accel{ideal.accel, Vector3<Scalar>::Zero(), interval, first, elapsed, ideal};
     imu_.gyro.apply(gyro, gyro_);

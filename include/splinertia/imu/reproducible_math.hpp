@@ -117,7 +117,7 @@ inline constexpr bool is_reproducible = std::same_as<Scalar, double> || std::sam
 
 /// e^−x, for x >= 0: what is left of something that decays, x time constants later.
 template <typename Scalar>
-[[nodiscard]] Scalar decay(const Scalar& x) {
+[[nodiscard]] Scalar exponential_decay(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {
     return static_cast<Scalar>(reproducible_exp(-static_cast<double>(x)));
   } else {
@@ -128,7 +128,7 @@ template <typename Scalar>
 
 /// 1 − e^−x, for x >= 0, to full relative accuracy.
 template <typename Scalar>
-[[nodiscard]] Scalar rise(const Scalar& x) {
+[[nodiscard]] Scalar exponential_rise(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {
     return static_cast<Scalar>(-reproducible_expm1(-static_cast<double>(x)));
   } else {

@@ -21,16 +21,16 @@ template <typename Scalar>
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));
     const Oscillation<Scalar> oscillation(b / (Scalar(2) * pi_of<Scalar>()));
-    const Scalar left = decay<Scalar>(damping_ratio * a);
+    const Scalar left = exponential_decay<Scalar>(damping_ratio * a);
     C = left * oscillation.cosine;
     S = b > Scalar(0) ? Scalar(left * oscillation.sine / b) : left;
   } else {
     const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
     const Scalar b = a * root;
-    const Scalar slow = decay<Scalar>(a / (damping_ratio + root));  // e^{−ζa + b}
-    const Scalar fast = decay<Scalar>(a * (damping_ratio + root));  // e^{−ζa − b}
+    const Scalar slow = exponential_decay<Scalar>(a / (damping_ratio + root));  // e^{−ζa + b}
+    const Scalar fast = exponential_decay<Scalar>(a * (damping_ratio + root));  // e^{−ζa − b}
     C = (slow + fast) / Scalar(2);
-    S = b > Scalar(0) ? Scalar(slow * rise<Scalar>(Scalar(2) * b) / (Scalar(2) * b)) : slow;
+    S = b > Scalar(0) ? Scalar(slow * exponential_rise<Scalar>(Scalar(2) * b) / (Scalar(2) * b)) : slow;
   }
   Eigen::Matrix<Scalar, 2, 2> transition;
   transition(0, 0) = C + damping_ratio * a * S;
@@ -49,16 +49,19 @@ template <typename Scalar>
     // Two first-order lags, one behind the other, with these time constants (times ω).
     const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
     const Scalar slow = damping_ratio + root, fast = Scalar(1) / slow;
-    return (slow * rise<Scalar>(a / slow) - fast * rise<Scalar>(a * slow)) / (Scalar(2) * root);
+    return (slow * exponential_rise<Scalar>(a / slow) - fast * exponential_rise<Scalar>(a * slow)) / (Scalar(2) * root);
   }
   const Scalar left = -damping_ratio * oscillator_transition(a, damping_ratio)(0, 1);  // −ζaS
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));
     const Scalar half = Oscillation<Scalar>(b / (Scalar(4) * pi_of<Scalar>())).sine;  // 1 − cos b = 2 sin² b/2
-    return left + rise<Scalar>(damping_ratio * a) + Scalar(2) * decay<Scalar>(damping_ratio * a) * half * half;
+    return left + exponential_rise<Scalar>(damping_ratio * a) +
+           Scalar(2) * exponential_decay<Scalar>(damping_ratio * a) * half * half;
   }
   const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
-  return left + (rise<Scalar>(a / (damping_ratio + root)) + rise<Scalar>(a * (damping_ratio + root))) / Scalar(2);
+  return left +
+         (exponential_rise<Scalar>(a / (damping_ratio + root)) + exponential_rise<Scalar>(a * (damping_ratio + root))) /
+             Scalar(2);
 }
 
 }  // namespace splinertia

@@ -61,7 +61,7 @@ class Simulation {
                                     ", the motion is defined from ", printable(motion_.start()), " to ",
                                     printable(motion_.end()));
     }
-    const double duration = seconds<double>(end_ - start_);
+    const double duration = to_seconds<double>(end_ - start_);
     if (!(duration <= std::numeric_limits<double>::max())) {
       refuse<std::invalid_argument>("simulate: the motion has no bounds, expected options .start and .end");
     }

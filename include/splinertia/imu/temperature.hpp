@@ -28,7 +28,7 @@ struct WarmUp {
   }
 
   [[nodiscard]] Scalar operator()(const Scalar& elapsed) const {
-    return initial + (final - initial) * rise<Scalar>(elapsed / time_constant);
+    return initial + (final - initial) * exponential_rise<Scalar>(elapsed / time_constant);
   }
 
   void describe(auto&& parameter) const {

@@ -28,7 +28,7 @@ template <typename Curve, StampedPoses Poses>
   const auto data = fit_data<Curve>(poses, "adaptive_fit");
   if (!options.knot_interval && !options.knots && data.size() >= 2) {
     options.knot_interval =
-        seconds<double>(data.back().time - data.front().time) / std::ceil(static_cast<double>(data.size()) / 256);
+        to_seconds<double>(data.back().time - data.front().time) / std::ceil(static_cast<double>(data.size()) / 256);
   }
   options = search_options<Curve>(std::move(options), data, goal);
   for (;;) {

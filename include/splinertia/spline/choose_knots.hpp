@@ -41,7 +41,7 @@ template <typename Curve>
   if (!options.loss.is_squares() && segments + Curve::order - 1 <= data.size()) {
     FitOptions<Curve> finest = options;
     finest.knots.reset();
-    finest.knot_interval = seconds<double>(data.back().time - data.front().time) / static_cast<double>(segments);
+    finest.knot_interval = to_seconds<double>(data.back().time - data.front().time) / static_cast<double>(segments);
     if (goal) finest.standard_deviation = goal;
     const auto outliers = fit<Curve>(data, finest).outliers;
     if (options.weights.empty()) options.weights.assign(data.size(), Scalar(1));
@@ -68,7 +68,7 @@ template <typename Curve, StampedPoses Poses>
   const auto data = fit_data<Curve>(poses, "coarsest_knot_interval");
   options = search_options<Curve>(std::move(options), data, goal);
   options.knots.reset();
-  const double span = seconds<double>(data.back().time - data.front().time);
+  const double span = to_seconds<double>(data.back().time - data.front().time);
   Tangent<typename Curve::Group> reached;
   const auto interval_of = [&](std::size_t segments) { return span / static_cast<double>(segments); };
   const auto good = [&](std::size_t segments) {
@@ -120,7 +120,7 @@ template <typename Curve, StampedPoses Poses>
   options = search_options<Curve>(std::move(options), data, {});
   options.knots.reset();
   const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
-  const double span = seconds<double>(data.back().time - data.front().time);
+  const double span = to_seconds<double>(data.back().time - data.front().time);
 
   // A component that never moves has no error but rounding, which says nothing about an interval.
   Scalar size(1);

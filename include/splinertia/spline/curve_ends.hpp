@@ -88,7 +88,7 @@ class EndTerm {
   };
 
   [[nodiscard]] static Scalar length_of_segment(const Curve& curve, std::size_t s) {
-    return seconds<Scalar>(curve.knots().knot(s + 1, order) - curve.knots().knot(s, order));
+    return to_seconds<Scalar>(curve.knots().knot(s + 1, order) - curve.knots().knot(s, order));
   }
 
   /// The m-th derivative of λ_j, m > 2, at an end: of the polynomial through the second ones at the nodes of a segment.

@@ -42,7 +42,7 @@ template <TimePoint Time, TimePoint From>
   if constexpr (std::same_as<Time, From>) {
     return time;
   } else if constexpr (std::floating_point<Time>) {
-    return seconds<Time>(time);
+    return to_seconds<Time>(time);
   } else {
     return std::chrono::duration_cast<Time>(to_nanoseconds(time));
   }
@@ -102,7 +102,7 @@ template <LieGroup G, typename Time>
   while (poses[from + 1].time <= time) ++from;
   const auto& [t0, x0] = poses[from];
   const auto& [t1, x1] = poses[from + 1];
-  const Scalar share = seconds<Scalar>(time - t0) / seconds<Scalar>(t1 - t0);
+  const Scalar share = to_seconds<Scalar>(time - t0) / to_seconds<Scalar>(t1 - t0);
   return GroupTraits<G>::compose(x0, GroupTraits<G>::exp(share * increment<G>(x0, x1)));
 }
 

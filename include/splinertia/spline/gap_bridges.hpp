@@ -69,7 +69,7 @@ class GapBridges {
   /// Span i: as the motion on both sides has it, at the scale of the span or of the knots, whichever holds more.
   void bridge(std::size_t i) {
     const auto& span = spans_[i];
-    const double length = seconds<double>(span.end - span.start);
+    const double length = to_seconds<double>(span.end - span.start);
     const auto before = static_cast<std::ptrdiff_t>(i);
     const auto anchors = [&](double step) {
       return Anchors{anchors_beside(parts_, before, -1, step, span.knot_interval),
@@ -92,8 +92,8 @@ class GapBridges {
   }
 
   void hold_end(Time from, Time to, int direction) {
-    const double knot_interval = seconds<double>(to - from) / (Curve::order > 2 ? Curve::order - 2 : 1);
-    const double edge = seconds<double>((direction > 0 ? to : from) - curve_.start());
+    const double knot_interval = to_seconds<double>(to - from) / (Curve::order > 2 ? Curve::order - 2 : 1);
+    const double edge = to_seconds<double>((direction > 0 ? to : from) - curve_.start());
     // The measured parts from the held end on.
     std::vector<MeasuredPart> inner;
     for (const MeasuredPart& part : parts_) {
@@ -111,7 +111,7 @@ class GapBridges {
   /// it is needed, and three times as wide where poses hold the curve, too.
   void hold(const std::optional<Tangent<G>>& found, Time from, Time to, double knot_interval, bool needed) {
     const Scalar amplitude = needed ? Scalar(1) : Scalar(3);
-    const auto length = seconds<Scalar>(to - from);
+    const auto length = to_seconds<Scalar>(to - from);
     // Where nothing is beside the span: a motion within it that the noise could hide.
     const Scalar unseen = derivative == 2 ? 9 / (length * length * length) : 4 / length;
     const Tangent<G> density = found.value_or(unseen * noise_.cwiseAbs2());
@@ -125,7 +125,7 @@ class GapBridges {
     }
     root = root.cwiseProduct(unit_).eval();
     const auto add = [&](Time first, Time last, double least) {
-      if (seconds<double>(last - first) > least) terms_.terms.emplace_back(derivative, root, first, last);
+      if (to_seconds<double>(last - first) > least) terms_.terms.emplace_back(derivative, root, first, last);
     };
     auto other = std::upper_bound(others_.begin(), others_.end(), from);
     if (other == others_.end() || *other >= to) return add(from, to, 0);

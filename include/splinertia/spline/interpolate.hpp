@@ -34,10 +34,10 @@ template <typename Curve>
   if constexpr (requires(const K& knots) { knots.interval; }) {
     K knots = even_knots<K>(poses.front().time, poses.back().time, n - 1, Curve::order);
     for (std::size_t i = 0; i < n; ++i) {
-      const double off = seconds<double>(poses[i].time - knots.knot(i, Curve::order));
-      if (!(std::abs(off) <= 0.25 * seconds<double>(knots.interval))) {
+      const double off = to_seconds<double>(poses[i].time - knots.knot(i, Curve::order));
+      if (!(std::abs(off) <= 0.25 * to_seconds<double>(knots.interval))) {
         refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its place ",
-                                      seconds<double>(knots.interval),
+                                      to_seconds<double>(knots.interval),
                                       " s apart from the others, expected evenly spaced poses for UniformKnots; "
                                       "take NonUniformKnots");
       }

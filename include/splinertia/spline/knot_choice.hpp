@@ -61,7 +61,7 @@ template <LieGroup G, TimePoint Time>
   constexpr std::size_t most = 4096;
   const auto& poses = unbroken.poses;
   const auto& part = unbroken.part;
-  const auto since_first = [&](std::size_t i) { return seconds<double>(poses[i].time - poses.front().time); };
+  const auto since_first = [&](std::size_t i) { return to_seconds<double>(poses[i].time - poses.front().time); };
   std::array<std::size_t, 5> at{};
   MotionAtScale<G> sum{Tangent<G>::Zero(), Tangent<G>::Zero()};
   std::size_t count = 0;
@@ -109,7 +109,7 @@ template <LieGroup G, TimePoint Time>
   std::vector<double> rate;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto turn = TurnAngle<G>::of(increment<G>(poses[i - 1].value, poses[i].value));
-    const double length = seconds<double>(poses[i].time - poses[i - 1].time);
+    const double length = to_seconds<double>(poses[i].time - poses[i - 1].time);
     rate.push_back(std::max(0., static_cast<double>(turn) - 3 * noise) / length);
   }
   double fastest = rate.size() < 3 ? *std::max_element(rate.begin(), rate.end()) : 0;
@@ -147,7 +147,7 @@ struct SplineErrors {
 /// N poses to a knot. Requires two poses in ascending order of time.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
-  const double span = seconds<double>(poses.back().time - poses.front().time);
+  const double span = to_seconds<double>(poses.back().time - poses.front().time);
   KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, noise_of(poses)};
   const auto good = [&](double h, const MotionAtScale<G>& motion) {
     const double poses_to_a_knot = h / choice.pose_interval;

@@ -73,7 +73,7 @@ template <typename K>
   } else {
     // As many knots at the ends as the order: there the curve ends at its first and its last control point.
     std::vector<Time> knots(static_cast<std::size_t>(order - 1), first);
-    const double length = seconds<double>(last - first) / static_cast<double>(segments);
+    const double length = to_seconds<double>(last - first) / static_cast<double>(segments);
     for (std::size_t i = 0; i < segments; ++i) knots.push_back(after(first, static_cast<double>(i) * length));
     knots.insert(knots.end(), static_cast<std::size_t>(order), last);
     return {std::move(knots)};
@@ -101,7 +101,7 @@ template <typename Curve>
     return static_cast<std::size_t>(segments);
   };
   if (options.knot_interval) {
-    const std::size_t segments = segments_of(seconds<double>(last - first), *options.knot_interval);
+    const std::size_t segments = segments_of(to_seconds<double>(last - first), *options.knot_interval);
     return {even_knots<K>(first, last, segments, Curve::order), segments + k - 1};
   }
   K knots = *options.knots;
@@ -109,7 +109,7 @@ template <typename Curve>
   if constexpr (requires { knots.interval; }) {
     knots.check(k, Curve::order);
     control_points =
-        segments_of(std::max(0.0, seconds<double>(last - knots.start)), seconds<double>(knots.interval)) + k - 1;
+        segments_of(std::max(0.0, to_seconds<double>(last - knots.start)), to_seconds<double>(knots.interval)) + k - 1;
     knots.check(control_points, Curve::order);
     const auto end = knots.domain(control_points, Curve::order).end;
     for (auto pose = poses.rbegin(); pose != poses.rend() && pose->time > end; ++pose) pose->time = end;

@@ -82,7 +82,7 @@ struct NonUniformKnots {
   [[nodiscard]] Time control_point_time(std::size_t i, int order) const {
     double sum = 0;
     for (std::size_t j = 1; j < static_cast<std::size_t>(order); ++j)
-      sum += seconds<double>(knots[i + j] - knots[i + 1]);
+      sum += to_seconds<double>(knots[i + j] - knots[i + 1]);
     return after(knots[i + 1], sum / (order - 1));
   }
 

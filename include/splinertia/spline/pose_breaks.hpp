@@ -21,7 +21,7 @@ template <LieGroup G, TimePoint Time>
                                          double usual) {
   using Scalar = ScalarOf<G>;
   const auto step = [&](std::size_t k) { return increment<G>(poses[k].value, poses[k + 1].value); };
-  const auto length = [&](std::size_t k) { return seconds<Scalar>(poses[k + 1].time - poses[k].time); };
+  const auto length = [&](std::size_t k) { return to_seconds<Scalar>(poses[k + 1].time - poses[k].time); };
   const Scalar own = length(i), other = length(beside), square = static_cast<Scalar>(usual * usual);
   const Scalar allowance = own * (own + other) / (2 * square);
   return (step(i) - own / other * step(beside)).cwiseAbs() / std::max(Scalar(1), allowance);

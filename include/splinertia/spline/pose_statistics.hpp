@@ -19,7 +19,7 @@ template <LieGroup G, TimePoint Time>
 [[nodiscard]] double median_interval(const std::vector<Stamped<G, Time>>& poses) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < poses.size(); ++i)
-    intervals.push_back(seconds<double>(poses[i].time - poses[i - 1].time));
+    intervals.push_back(to_seconds<double>(poses[i].time - poses[i - 1].time));
   const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
   std::nth_element(intervals.begin(), middle, intervals.end());
   return *middle;
@@ -50,11 +50,11 @@ template <LieGroup G, TimePoint Time, std::size_t N>
   };
   for (std::size_t j = middle + 1; j < N; ++j) {
     way[j] = way[j - 1] + step(j - 1, j);
-    time[j] = seconds<Scalar>(poses[indices[j]].time - poses[indices[middle]].time);
+    time[j] = to_seconds<Scalar>(poses[indices[j]].time - poses[indices[middle]].time);
   }
   for (std::size_t j = middle; j-- > 0;) {
     way[j] = way[j + 1] - step(j, j + 1);
-    time[j] = -seconds<Scalar>(poses[indices[middle]].time - poses[indices[j]].time);
+    time[j] = -to_seconds<Scalar>(poses[indices[middle]].time - poses[indices[j]].time);
   }
   NeighbourResidual<G> result{Tangent<G>::Zero(), Scalar(1), Tangent<G>::Zero()};
   for (std::size_t j = 0; j < N; ++j) {

@@ -80,7 +80,7 @@ struct UniformKnots {
 
   /// The time that control point i belongs to, which may be outside the domain.
   [[nodiscard]] Time control_point_time(std::size_t i, int order) const {
-    return after(start, (static_cast<double>(i) + 1 - 0.5 * order) * seconds<double>(interval));
+    return after(start, (static_cast<double>(i) + 1 - 0.5 * order) * to_seconds<double>(interval));
   }
 
   /// The segment that t falls in: a knot belongs to the one that it begins, the end to the last.
@@ -111,7 +111,7 @@ struct UniformKnots {
     } else {
       u = static_cast<Real>(normal_powers<Real>(since_knot(s, t) / interval));
     }
-    return {s, uniform_basis<Order, D, Real, Scalar>(u, seconds<Real>(interval))};
+    return {s, uniform_basis<Order, D, Real, Scalar>(u, to_seconds<Real>(interval))};
   }
 
   /// Segment s of a curve, prepared for many times in it.
@@ -142,7 +142,7 @@ struct UniformKnots {
         return uniform_basis<Order, D, L>(u, L(static_cast<Real>(interval_)));
       } else {
         const L u = lanes_cast<Real>(t) / L(static_cast<Real>(interval_.count()));
-        return uniform_basis<Order, D, L>(u, L(seconds<Real>(interval_)));
+        return uniform_basis<Order, D, L>(u, L(to_seconds<Real>(interval_)));
       }
     }
 

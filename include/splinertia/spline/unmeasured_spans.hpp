@@ -39,7 +39,7 @@ template <typename Curve>
   const auto segment = [&](Time t) { return knots.template basis<double, order, 0>(t, control_points).first; };
   const auto length_of_segment = [&](Time t) {
     const std::size_t s = segment(t);
-    return seconds<double>(knots.knot(s + 1, order) - knots.knot(s, order));
+    return to_seconds<double>(knots.knot(s + 1, order) - knots.knot(s, order));
   };
 
   std::vector<Time> times{curve.start()};
@@ -48,7 +48,7 @@ template <typename Curve>
   }
   if (curve.end() > times.back()) times.push_back(curve.end());
   std::vector<double> lengths;
-  for (std::size_t i = 1; i < times.size(); ++i) lengths.push_back(seconds<double>(times[i] - times[i - 1]));
+  for (std::size_t i = 1; i < times.size(); ++i) lengths.push_back(to_seconds<double>(times[i] - times[i - 1]));
   std::vector<double> sorted = lengths;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -93,7 +93,7 @@ template <typename Curve>
 template <typename Curve>
 [[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
                                                        const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
-  const auto since_start = [&](auto time) { return seconds<double>(time - curve.start()); };
+  const auto since_start = [&](auto time) { return to_seconds<double>(time - curve.start()); };
   std::vector<MeasuredPart> parts;
   double from = 0;
   for (const auto& span : spans) {

@@ -24,7 +24,7 @@ class AngularSpeed {
   template <PoseRange Poses>
   AngularSpeed(const Poses& poses, decltype(std::ranges::begin(poses)->time) origin) {
     for (const auto& [time, pose] : poses) {
-      times_.push_back(seconds<double>(time - origin));
+      times_.push_back(to_seconds<double>(time - origin));
       attitudes_.push_back(splinertia::rotation(pose).template cast<double>());
     }
   }

@@ -48,7 +48,7 @@ class Preintegrator {
     requires Scheme::takes_increments
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
-    const Scalar h = seconds<Scalar>(Time(sample.time) - window_.last());
+    const Scalar h = to_seconds<Scalar>(Time(sample.time) - window_.last());
     window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
                                                  sample.delta_velocity - bias.accel * h},
                  step());

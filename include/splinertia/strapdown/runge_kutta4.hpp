@@ -54,7 +54,7 @@ struct RungeKutta4DoubleStep : PointScheme<4, 2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const std::size_t end = from == 2 ? 3 : from + 2;
-    const Scalar h = seconds<Scalar>(window[end].time - window[from].time);
+    const Scalar h = to_seconds<Scalar>(window[end].time - window[from].time);
     using std::abs;
     const Scalar middle = step_interval<Scalar>(window, from) - h / Scalar(2);
     if (abs(middle) <= h * Scalar(1e-9F)) {
@@ -65,7 +65,7 @@ struct RungeKutta4DoubleStep : PointScheme<4, 2> {
     // Times from the middle in units of h, and Lagrange's weights there.
     std::array<Scalar, 4> s, w;
     for (std::size_t j = 0; j < 4; ++j) {
-      s[j] = seconds<Scalar>(window[j].time - window[from].time) / h - Scalar(1) / Scalar(2);
+      s[j] = to_seconds<Scalar>(window[j].time - window[from].time) / h - Scalar(1) / Scalar(2);
     }
     for (std::size_t j = 0; j < 4; ++j) {
       const Scalar a = s[(j + 1) % 4], b = s[(j + 2) % 4], c = s[(j + 3) % 4];

@@ -72,7 +72,7 @@ class SampleWindow {
   void push(const AnySample& sample, const auto& take) {
     const Time time = sample.time;
     check(time);
-    append({{sample.delta_angle, sample.delta_velocity, seconds<Scalar>(time - last_)}, time});
+    append({{sample.delta_angle, sample.delta_velocity, to_seconds<Scalar>(time - last_)}, time});
     advance(take);
   }
 
@@ -106,7 +106,7 @@ class SampleWindow {
     if (!(time > last_) || !is_finite(time)) {
       refuse("sample ", pushed_, " is at ", printable(time), ", expected a time after ", printable(last_));
     }
-    const Scalar interval = seconds<Scalar>(time - last_);
+    const Scalar interval = to_seconds<Scalar>(time - last_);
     const bool gap = interval > gaps_.longest;
     if (gap && gaps_.policy == GapPolicy::refuse) {
       refuse("sample ", pushed_, " at ", printable(time), " comes ", interval,

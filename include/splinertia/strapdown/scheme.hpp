@@ -38,7 +38,7 @@ struct IncrementScheme {
 /// From window[from] to the next sample, s.
 template <typename Scalar, typename Window>
 [[nodiscard]] Scalar step_interval(const Window& window, std::size_t from) {
-  return seconds<Scalar>(window[from + 1].time - window[from].time);
+  return to_seconds<Scalar>(window[from + 1].time - window[from].time);
 }
 
 /// The integrals over a step of h of the angular velocity, φ = ∫ω dt (rad), and of the specific force, ν = ∫f dt (m/s),

@@ -79,7 +79,7 @@ template <PoseRange Reference, PoseRange Estimate>
 
   std::vector<PosePair<decltype(Value::value), decltype(Value::time)>> pairs;
   const auto add = [&](const Value& r, const Value& e) {
-    const double difference = seconds<double>(r.time > e.time ? r.time - e.time : e.time - r.time);
+    const double difference = to_seconds<double>(r.time > e.time ? r.time - e.time : e.time - r.time);
     if (difference <= max_difference) pairs.push_back({e.time, r.value, e.value});
   };
   if (std::ranges::size(estimate) > std::ranges::size(reference)) {

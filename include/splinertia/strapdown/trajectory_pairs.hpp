@@ -101,10 +101,10 @@ template <Pose G, TimePoint Time>
   }
   IndexPairs indices;
   for (std::size_t i = 0; i + 1 < pairs.size();) {
-    const auto miss = [&](auto at) { return abs(seconds<double>(at->time - pairs[i].time) - delta); };
+    const auto miss = [&](auto at) { return abs(to_seconds<double>(at->time - pairs[i].time) - delta); };
     const auto next = pairs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     auto best = std::partition_point(
-        next, pairs.end(), [&](const auto& pair) { return seconds<double>(pair.time - pairs[i].time) < delta; });
+        next, pairs.end(), [&](const auto& pair) { return to_seconds<double>(pair.time - pairs[i].time) < delta; });
     if (best == pairs.end() || (best != next && miss(best - 1) <= miss(best))) --best;
     const auto j = static_cast<std::size_t>(best - pairs.begin());
     const bool near = miss(best) <= delta * tolerance;
