@@ -8,24 +8,21 @@
 
 #include "fuzz/motions.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::allan_target {
 
 template <allan::Deviation D>
 void expect_curve(const allan::IntegratedSignal<double>& signal, bool usual) {
   const auto curve = allan::curve<D>(signal);
   for (const auto& point : curve.points) {
-    fuzz::expect(point.deviation >= 0 && (!usual || std::isfinite(point.deviation)), D::name, " is ", point.deviation);
-    fuzz::expect(!usual || (point.interval.lower <= point.deviation && point.deviation <= point.interval.upper),
-                 D::name, " is ", point.deviation, " beside an interval from ", point.interval.lower, " to ",
-                 point.interval.upper);
+    expect(point.deviation >= 0 && (!usual || std::isfinite(point.deviation)), D::name, " is ", point.deviation);
+    expect(!usual || (point.interval.lower <= point.deviation && point.deviation <= point.interval.upper), D::name,
+           " is ", point.deviation, " beside an interval from ", point.interval.lower, " to ", point.interval.upper);
   }
 }
 
-void use_signal(fuzz::Input& input) {
+void use_signal(Input& input) {
   const bool all = input.flag();
-  fuzz::Numbers numbers{input};
+  Numbers numbers{input};
   const double rate = numbers.wild ? numbers() : 1 + std::abs(numbers());
   const auto repeats = static_cast<std::size_t>(input.integer(1, 8));
   std::vector<double> values;
@@ -35,7 +32,7 @@ void use_signal(fuzz::Input& input) {
   for (std::size_t i = size; i < size * repeats; ++i) {
     values.push_back(values[i - size] + static_cast<double>(i) * (numbers.usual ? 1e-3 : 0));
   }
-  (void)fuzz::accepted("", [&] {
+  (void)accepted("", [&] {
     const allan::IntegratedSignal<double> signal(values, rate);
     expect_curve<allan::AllanDeviation>(signal, numbers.usual);
     expect_curve<allan::OverlappingAllanDeviation>(signal, numbers.usual);
@@ -46,18 +43,18 @@ void use_signal(fuzz::Input& input) {
     expect_curve<allan::TotalDeviation>(signal, numbers.usual);
   });
   if (!all) return;
-  (void)fuzz::accepted("", [&] {
+  (void)accepted("", [&] {
     const auto analysis = allan::analyse(values, rate);
     for (const allan::NoiseTerm term : allan::noise_terms) {
       const auto& estimate = analysis.noise[term];
-      fuzz::expect(!numbers.usual || !std::isnan(estimate.value), "an estimate is NaN");
+      expect(!numbers.usual || !std::isnan(estimate.value), "an estimate is NaN");
     }
   });
 }
 
 template <TimePoint Time>
-void use_stamps(fuzz::Input& input) {
-  fuzz::Numbers numbers{input};
+void use_stamps(Input& input) {
+  Numbers numbers{input};
   std::vector<Time> stamps;
   Time time{};
   while (!input.empty() && stamps.size() < 300) {
@@ -68,24 +65,24 @@ void use_stamps(fuzz::Input& input) {
     }
     stamps.push_back(time);
   }
-  (void)fuzz::accepted("sampling: ", [&] {
+  (void)accepted("sampling: ", [&] {
     const auto sampling = allan::measure_sampling(stamps);
-    fuzz::expect(sampling.rate > 0 && (!numbers.usual || std::isfinite(sampling.rate)), "rate ", sampling.rate);
-    fuzz::expect(sampling.missing >= 0 && sampling.samples == std::ssize(stamps), sampling.samples, " samples");
-    fuzz::expect(sampling.missing_share() >= 0 && sampling.missing_share() < 1, "share ", sampling.missing_share());
+    expect(sampling.rate > 0 && (!numbers.usual || std::isfinite(sampling.rate)), "rate ", sampling.rate);
+    expect(sampling.missing >= 0 && sampling.samples == std::ssize(stamps), sampling.samples, " samples");
+    expect(sampling.missing_share() >= 0 && sampling.missing_share() < 1, "share ", sampling.missing_share());
     allan::require_regular(sampling);
   });
 }
 
-const fuzz::Target target{"allan", [](fuzz::Input input) {
-                            switch (input.integer(0, 3)) {
-                              case 0:
-                                return use_stamps<double>(input);
-                              case 1:
-                                return use_stamps<std::chrono::nanoseconds>(input);
-                              default:
-                                return use_signal(input);
-                            }
-                          }};
+const Target target{"allan", [](Input input) {
+                      switch (input.integer(0, 3)) {
+                        case 0:
+                          return use_stamps<double>(input);
+                        case 1:
+                          return use_stamps<std::chrono::nanoseconds>(input);
+                        default:
+                          return use_signal(input);
+                      }
+                    }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::allan_target

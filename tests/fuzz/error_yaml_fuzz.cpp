@@ -8,24 +8,22 @@
 
 #include "fuzz/files.hpp"
 
-namespace {
+namespace splinertia::fuzz::error_yaml_target {
 
-using namespace splinertia;
-
-const fuzz::Target target{
-    "error_yaml", [](fuzz::Input input) {
-      static fuzz::InputBytes file("errors.yaml");
+const Target target{
+    "error_yaml", [](Input input) {
+      static InputBytes file("errors.yaml");
       AnyImu imu;
       const std::string& path = file.with(input.rest());
-      if (!fuzz::accepted(path, [&] { imu = read_error_yaml(path); })) return;
-      fuzz::expect(!describe(imu.gyro, SensorKind::gyro).empty() && !describe(imu.accel, SensorKind::accel).empty(),
-                   "no description");
+      if (!accepted(path, [&] { imu = read_error_yaml(path); })) return;
+      expect(!describe(imu.gyro, SensorKind::gyro).empty() && !describe(imu.accel, SensorKind::accel).empty(),
+             "no description");
       // Numbers of any size may overflow: only what is refused is looked at.
-      (void)fuzz::accepted("", [&] {
+      (void)accepted("", [&] {
         for (const auto& reading : simulate(Circle<>{}, imu, {.rate = 100, .start = 0, .end = 0.05})) {
           (void)reading;
         }
       });
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::error_yaml_target

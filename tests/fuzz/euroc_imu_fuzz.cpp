@@ -5,19 +5,16 @@
 
 #include "fuzz/samples.hpp"
 
-namespace {
+namespace splinertia::fuzz::euroc_imu_target {
 
-using namespace splinertia;
+const Target target{"euroc_imu", [](Input input) {
+                      static InputBytes file("imu.csv");
+                      const auto read = [](const auto& path) { return read_euroc_imu(path); };
+                      expect_round_trip(file.with(input.rest()), read, [](const auto& path, const auto& samples) {
+                        write_npy_imu(path, samples);
+                        expect_same(samples, read_npy_imu(path));
+                        write_euroc_imu(path, samples);
+                      });
+                    }};
 
-const fuzz::Target target{"euroc_imu", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("imu.csv");
-                            const auto read = [](const auto& path) { return read_euroc_imu(path); };
-                            fuzz::expect_round_trip(file.with(input.rest()), read,
-                                                    [](const auto& path, const auto& samples) {
-                                                      write_npy_imu(path, samples);
-                                                      fuzz::expect_same(samples, read_npy_imu(path));
-                                                      write_euroc_imu(path, samples);
-                                                    });
-                          }};
-
-}  // namespace
+}  // namespace splinertia::fuzz::euroc_imu_target

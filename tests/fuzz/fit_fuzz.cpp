@@ -10,12 +10,10 @@
 
 #include "fuzz/motions.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::fit_target {
 
 template <typename G, typename Time>
-std::vector<Stamped<G, Time>> poses_of(fuzz::Numbers& numbers) {
+std::vector<Stamped<G, Time>> poses_of(Numbers& numbers) {
   std::vector<Stamped<G, Time>> poses;
   Time time = numbers.time<Time>();
   while (!numbers.input.empty() && poses.size() < 16) {
@@ -33,17 +31,17 @@ std::vector<Stamped<G, Time>> poses_of(fuzz::Numbers& numbers) {
 
 template <typename Curve>
 void expect_curve(const Curve& curve, bool usual) {
-  fuzz::expect(curve.start() < curve.end(), "an empty domain");
+  expect(curve.start() < curve.end(), "an empty domain");
   if (!usual) return;
-  for (const auto& d : curve.increments()) fuzz::expect(d.allFinite(), "an increment that is not finite");
+  for (const auto& d : curve.increments()) expect(d.allFinite(), "an increment that is not finite");
 }
 
 template <typename Curve>
-void use_fit(fuzz::Input& input) {
+void use_fit(Input& input) {
   using G = typename Curve::Group;
   FitOptions<Curve> options;
-  fuzz::Numbers numbers{input};
-  (void)fuzz::accepted("", [&] {
+  Numbers numbers{input};
+  (void)accepted("", [&] {
     if (input.flag()) options.knot_interval = numbers.wild ? numbers() : 0.01 * input.integer(1, 100);
     if (input.flag()) options.standard_deviation = Tangent<G>::Constant(numbers());
     const int loss = input.integer(0, 3);
@@ -61,24 +59,24 @@ void use_fit(fuzz::Input& input) {
       return;
     const auto result = fit<Curve>(poses, options);
     expect_curve(result.spline, numbers.usual);
-    fuzz::expect(result.residuals.poses.size() == poses.size(), result.residuals.poses.size(), " residuals");
-    if (numbers.usual) fuzz::expect(std::isfinite(result.residuals.rms), "rms ", result.residuals.rms);
+    expect(result.residuals.poses.size() == poses.size(), result.residuals.poses.size(), " residuals");
+    if (numbers.usual) expect(std::isfinite(result.residuals.rms), "rms ", result.residuals.rms);
   });
 }
 
 template <typename Curve>
-void use_interpolate(fuzz::Input& input) {
+void use_interpolate(Input& input) {
   using G = typename Curve::Group;
   CurveEnds<G> ends;
   ends.condition = static_cast<EndCondition>(input.integer(0, 2));
-  fuzz::Numbers numbers{input};
+  Numbers numbers{input};
   const auto poses = poses_of<G, typename Curve::Time>(numbers);
-  (void)fuzz::accepted("", [&] {
+  (void)accepted("", [&] {
     const Curve curve = interpolate<Curve>(poses, ends);
     expect_curve(curve, numbers.usual);
     for (const auto& pose : poses) {
       const auto off = increment<G>(pose.value, curve.template at<0>(pose.time).value);
-      fuzz::expect(!numbers.usual || off.norm() < 1e-4, "a pose is missed by ", off.norm());
+      expect(!numbers.usual || off.norm() < 1e-4, "a pose is missed by ", off.norm());
     }
   });
 }
@@ -86,17 +84,17 @@ void use_interpolate(fuzz::Input& input) {
 using std::chrono::nanoseconds;
 using Scalar = Eigen::Matrix<double, 1, 1>;
 
-const fuzz::Target target{"fit", [](fuzz::Input input) {
-                            switch (input.integer(0, 3)) {
-                              case 0:
-                                return use_fit<Spline<SO3xR3<double>, 4>>(input);
-                              case 1:
-                                return use_fit<Spline<Scalar, 4, UniformKnots<nanoseconds>>>(input);
-                              case 2:
-                                return use_interpolate<Spline<SO3xR3<double>, 4, NonUniformKnots<nanoseconds>>>(input);
-                              default:
-                                return use_interpolate<Spline<Scalar, 6, NonUniformKnots<double>>>(input);
-                            }
-                          }};
+const Target target{"fit", [](Input input) {
+                      switch (input.integer(0, 3)) {
+                        case 0:
+                          return use_fit<Spline<SO3xR3<double>, 4>>(input);
+                        case 1:
+                          return use_fit<Spline<Scalar, 4, UniformKnots<nanoseconds>>>(input);
+                        case 2:
+                          return use_interpolate<Spline<SO3xR3<double>, 4, NonUniformKnots<nanoseconds>>>(input);
+                        default:
+                          return use_interpolate<Spline<Scalar, 6, NonUniformKnots<double>>>(input);
+                      }
+                    }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::fit_target

@@ -10,18 +10,16 @@
 
 #include "fuzz/files.hpp"
 
-namespace {
+namespace splinertia::fuzz::imu_log_target {
 
-using namespace splinertia;
-
-void choose(fuzz::Input& input, std::optional<std::string>& value, const auto& names) {
+void choose(Input& input, std::optional<std::string>& value, const auto& names) {
   const int index = input.integer(0, static_cast<int>(names.size()));
   if (index > 0) value = names[static_cast<std::size_t>(index - 1)];
 }
 
-const fuzz::Target log{
-    "imu_log", [](fuzz::Input input) {
-      static fuzz::InputBytes file("imu.csv");
+const Target target{
+    "imu_log", [](Input input) {
+      static InputBytes file("imu.csv");
       ImuLogOptions options;
       if (input.flag()) options.rate = input.real();
       choose(input, options.time_unit, std::array{"s", "ms", "us", "ns"});
@@ -39,19 +37,19 @@ const fuzz::Target log{
 
       ImuLog read;
       const std::string& path = file.with(input.rest());
-      if (!fuzz::accepted("", [&] { read = read_imu_log(path, options); })) return;
-      fuzz::expect(!read.sensors.empty() && read.samples > 0, "no samples");
+      if (!accepted("", [&] { read = read_imu_log(path, options); })) return;
+      expect(!read.sensors.empty() && read.samples > 0, "no samples");
       for (const SensorLog& sensor : read.sensors) {
-        fuzz::expect(sensor.rate > 0 && has_finite_bits(sensor.rate), "rate ", sensor.rate);
+        expect(sensor.rate > 0 && has_finite_bits(sensor.rate), "rate ", sensor.rate);
         for (const AxisLog& axis : sensor.axes) {
-          fuzz::expect(axis.values.size() == sensor.samples, axis.values.size(), " values of ", sensor.samples);
-          for (const double value : axis.values) fuzz::expect(has_finite_bits(value), "read ", value);
+          expect(axis.values.size() == sensor.samples, axis.values.size(), " values of ", sensor.samples);
+          for (const double value : axis.values) expect(has_finite_bits(value), "read ", value);
         }
         for (std::size_t i = 0; i < sensor.samples; ++i) {
-          fuzz::expect(has_finite_bits(sensor.time_of(i)), "sample ", i, " is at ", sensor.time_of(i));
+          expect(has_finite_bits(sensor.time_of(i)), "sample ", i, " is at ", sensor.time_of(i));
         }
       }
-      for (const std::string& line : read.report) fuzz::expect(!line.empty(), "an empty line of the report");
+      for (const std::string& line : read.report) expect(!line.empty(), "an empty line of the report");
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::imu_log_target

@@ -8,21 +8,19 @@
 
 #include "fuzz/files.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::imu_noise_target {
 
 void expect_near(double value, double expected) {
-  fuzz::expect(std::abs(value - expected) <= 1e-14 * std::abs(expected), "read ", value, ", wrote ", expected);
+  expect(std::abs(value - expected) <= 1e-14 * std::abs(expected), "read ", value, ", wrote ", expected);
 }
 
 /// The square of it, or its product with a rate, is a usual number, too.
 bool is_usual(double value) { return value > 1e-100 && value < 1e100; }
 
-void expect_round_trip(const ImuNoise& noise, Estimator estimator) {
-  static fuzz::InputBytes file("copy.yaml");
+void expect_round_trip(const ::ImuNoise& noise, Estimator estimator) {
+  static InputBytes file("copy.yaml");
   const std::string& path = file.with(imu_noise_text(estimator, noise, {noise.topic}));
-  const ImuNoise again = read_imu_noise(path, noise.update_rate);
+  const ::ImuNoise again = read_imu_noise(path, noise.update_rate);
   expect_near(again.gyro_noise_density, noise.gyro_noise_density);
   expect_near(again.gyro_random_walk, noise.gyro_random_walk);
   expect_near(again.accel_noise_density, noise.accel_noise_density);
@@ -30,28 +28,28 @@ void expect_round_trip(const ImuNoise& noise, Estimator estimator) {
   expect_near(again.update_rate, noise.update_rate);
 }
 
-const fuzz::Target target{
-    "imu_noise", [](fuzz::Input input) {
-      static fuzz::InputBytes file("imu.yaml");
-      ImuNoise noise;
+const Target target{
+    "imu_noise", [](Input input) {
+      static InputBytes file("imu.yaml");
+      ::ImuNoise noise;
       const bool has_rate = input.flag();
       const double rate = 1 + input.moderate(1);
       const std::string& path = file.with(input.rest());
-      if (!fuzz::accepted(path, [&] { noise = read_imu_noise(path, has_rate ? std::optional(rate) : std::nullopt); })) {
+      if (!accepted(path, [&] { noise = read_imu_noise(path, has_rate ? std::optional(rate) : std::nullopt); })) {
         return;
       }
       bool usual = true;
       for (const double value : {noise.gyro_noise_density, noise.gyro_random_walk, noise.accel_noise_density,
                                  noise.accel_random_walk, noise.update_rate}) {
-        fuzz::expect(value > 0 && has_finite_bits(value), "read ", value);
+        expect(value > 0 && has_finite_bits(value), "read ", value);
         usual = usual && is_usual(value);
       }
       for (const auto& matrix : {noise.gyro_misalignment, noise.accel_misalignment, noise.g_sensitivity}) {
-        fuzz::expect(!matrix || matrix->allFinite(), "an intrinsic that is not finite");
+        expect(!matrix || matrix->allFinite(), "an intrinsic that is not finite");
       }
       if (!usual) return;
       for (const Estimator estimator : estimators) expect_round_trip(noise, estimator);
-      (void)fuzz::accepted("", [&] { (void)imu_noise_of(errors_of(noise), noise.update_rate); });
+      (void)accepted("", [&] { (void)imu_noise_of(errors_of(noise), noise.update_rate); });
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::imu_noise_target

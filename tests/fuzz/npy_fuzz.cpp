@@ -5,9 +5,7 @@
 
 #include "fuzz/files.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::npy_target {
 
 struct Dtype {
   const char* text;
@@ -22,25 +20,24 @@ std::string read_records(const std::string& path, const Dtype& dtype) {
   const std::size_t rows = reader.expected_rows();
   std::string records;
   while (reader.next()) records.append(reader.record(), dtype.size);
-  fuzz::expect(records.size() == rows * dtype.size && rows > 0, rows, " rows expected, ", records.size(),
-               " bytes read");
+  expect(records.size() == rows * dtype.size && rows > 0, rows, " rows expected, ", records.size(), " bytes read");
   return records;
 }
 
-const fuzz::Target target{"npy", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("records.npy");
-                            const Dtype& dtype = dtypes[static_cast<std::size_t>(input.integer(0, dtypes.size() - 1))];
-                            const std::string& path = file.with(input.rest());
-                            std::string records;
-                            if (!fuzz::accepted(path, [&] { records = read_records(path, dtype); })) return;
-                            const std::string copy = fuzz::output_path();
-                            NpyWriter writer(copy, dtype.text);
-                            for (std::size_t at = 0; at < records.size(); at += dtype.size) {
-                              records.copy(writer.room(dtype.size), dtype.size, at);
-                              writer.advance(writer.room(dtype.size) + dtype.size);
-                            }
-                            writer.commit();
-                            fuzz::expect(read_records(copy, dtype) == records, "records have changed");
-                          }};
+const Target target{"npy", [](Input input) {
+                      static InputBytes file("records.npy");
+                      const Dtype& dtype = dtypes[static_cast<std::size_t>(input.integer(0, dtypes.size() - 1))];
+                      const std::string& path = file.with(input.rest());
+                      std::string records;
+                      if (!accepted(path, [&] { records = read_records(path, dtype); })) return;
+                      const std::string copy = output_path();
+                      NpyWriter writer(copy, dtype.text);
+                      for (std::size_t at = 0; at < records.size(); at += dtype.size) {
+                        records.copy(writer.room(dtype.size), dtype.size, at);
+                        writer.advance(writer.room(dtype.size) + dtype.size);
+                      }
+                      writer.commit();
+                      expect(read_records(copy, dtype) == records, "records have changed");
+                    }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::npy_target

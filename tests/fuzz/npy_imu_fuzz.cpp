@@ -4,15 +4,13 @@
 
 #include "fuzz/samples.hpp"
 
-namespace {
+namespace splinertia::fuzz::npy_imu_target {
 
-using namespace splinertia;
+const Target target{"npy_imu", [](Input input) {
+                      static InputBytes file("imu.npy");
+                      expect_round_trip(
+                          file.with(input.rest()), [](const auto& path) { return read_npy_imu(path); },
+                          [](const auto& path, const auto& samples) { write_npy_imu(path, samples); });
+                    }};
 
-const fuzz::Target target{"npy_imu", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("imu.npy");
-                            fuzz::expect_round_trip(
-                                file.with(input.rest()), [](const auto& path) { return read_npy_imu(path); },
-                                [](const auto& path, const auto& samples) { write_npy_imu(path, samples); });
-                          }};
-
-}  // namespace
+}  // namespace splinertia::fuzz::npy_imu_target

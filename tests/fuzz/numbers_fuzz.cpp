@@ -6,25 +6,23 @@
 #include "fuzz/files.hpp"
 #include "support/imu_log.hpp"
 
-namespace {
+namespace splinertia::fuzz::numbers_target {
 
-using namespace splinertia;
+const Target target{"numbers", [](Input input) {
+                      static InputBytes file("numbers.txt");
+                      const std::string& path = file.with(input.rest());
+                      std::vector<double> numbers;
+                      const bool taken = accepted(path, [&] { numbers = read_numbers(path); });
+                      // The same without the fast path.
+                      TextFile lines(path);
+                      std::size_t line = 0;
+                      for (; lines.next(); ++line) {
+                        const Parsed<double> number = parse_real(lines.line());
+                        if (number.problem) return expect(!taken, "took ", excerpt(lines.line()));
+                        if (!taken) continue;
+                        expect(line < numbers.size() && number.value == numbers[line], "line ", line);
+                      }
+                      expect(taken && line == numbers.size(), line, " numbers, read ", numbers.size());
+                    }};
 
-const fuzz::Target target{"numbers", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("numbers.txt");
-                            const std::string& path = file.with(input.rest());
-                            std::vector<double> numbers;
-                            const bool accepted = fuzz::accepted(path, [&] { numbers = read_numbers(path); });
-                            // The same without the fast path.
-                            TextFile lines(path);
-                            std::size_t line = 0;
-                            for (; lines.next(); ++line) {
-                              const Parsed<double> number = parse_real(lines.line());
-                              if (number.problem) return fuzz::expect(!accepted, "took ", excerpt(lines.line()));
-                              if (!accepted) continue;
-                              fuzz::expect(line < numbers.size() && number.value == numbers[line], "line ", line);
-                            }
-                            fuzz::expect(accepted && line == numbers.size(), line, " numbers, read ", numbers.size());
-                          }};
-
-}  // namespace
+}  // namespace splinertia::fuzz::numbers_target

@@ -8,18 +8,16 @@
 #include "fuzz/motions.hpp"
 #include "support/any_error_model.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::simulate_target {
 using std::chrono::nanoseconds;
 
-PerAxis<double> per_axis(fuzz::Numbers& numbers) {
+PerAxis<double> per_axis(Numbers& numbers) {
   if (numbers.input.flag()) return numbers();
   const double x = numbers(), y = numbers();
   return {x, y, numbers()};
 }
 
-void add_term(fuzz::Numbers& n, AnySensorModel& model) {
+void add_term(Numbers& n, AnySensorModel& model) {
   const auto any = [&] { return per_axis(n); };
   switch (n.input.integer(0, 16)) {
     case 0:
@@ -59,7 +57,7 @@ void add_term(fuzz::Numbers& n, AnySensorModel& model) {
   }
 }
 
-void add_term(fuzz::Numbers& n, AnyStampModel& model) {
+void add_term(Numbers& n, AnyStampModel& model) {
   switch (n.input.integer(0, 3)) {
     case 0:
       return model.add(ClockOffset{n()});
@@ -74,10 +72,10 @@ void add_term(fuzz::Numbers& n, AnyStampModel& model) {
 
 /// The readings may be far from those of an IMU, and the stamps too, but they are numbers in order.
 template <typename Curve>
-void use(fuzz::Numbers& numbers, const Curve& curve) {
+void use(Numbers& numbers, const Curve& curve) {
   using Time = typename Curve::Time;
-  fuzz::Input& input = numbers.input;
-  (void)fuzz::accepted("", [&] {
+  Input& input = numbers.input;
+  (void)accepted("", [&] {
     AnyImu imu;
     for (int i = input.integer(0, 3); i > 0; --i) add_term(numbers, imu.gyro);
     for (int i = input.integer(0, 2); i > 0; --i) add_term(numbers, imu.accel);
@@ -91,10 +89,10 @@ void use(fuzz::Numbers& numbers, const Curve& curve) {
     std::size_t count = 0;
     Time before{};
     for (const auto& reading : simulation) {
-      fuzz::expect(count < simulation.size(), count, " samples, expected at most ", simulation.size());
+      expect(count < simulation.size(), count, " samples, expected at most ", simulation.size());
       if (numbers.usual) {
-        fuzz::expect(reading.gyro.allFinite() && reading.accel.allFinite(), "sample ", count, " is not finite");
-        fuzz::expect(count == 0 || reading.time > before, "stamps do not increase at sample ", count);
+        expect(reading.gyro.allFinite() && reading.accel.allFinite(), "sample ", count, " is not finite");
+        expect(count == 0 || reading.time > before, "stamps do not increase at sample ", count);
       }
       before = reading.time;
       if (++count == 100) break;
@@ -102,14 +100,14 @@ void use(fuzz::Numbers& numbers, const Curve& curve) {
   });
 }
 
-const fuzz::Target target{"simulate", [](fuzz::Input input) {
-                            const bool integer = input.flag();
-                            fuzz::Numbers numbers{input};
-                            const std::vector<SO3xR3<double>> points(8);
-                            if (integer)
-                              return use(numbers, Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>>(
-                                                      {nanoseconds{0}, nanoseconds{200'000'000}}, points));
-                            use(numbers, Circle<>{});
-                          }};
+const Target target{"simulate", [](Input input) {
+                      const bool integer = input.flag();
+                      Numbers numbers{input};
+                      const std::vector<SO3xR3<double>> points(8);
+                      if (integer)
+                        return use(numbers, Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>>(
+                                                {nanoseconds{0}, nanoseconds{200'000'000}}, points));
+                      use(numbers, Circle<>{});
+                    }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::simulate_target

@@ -11,12 +11,10 @@
 
 #include "fuzz/motions.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::spline_target {
 
 template <typename G>
-G point(fuzz::Numbers& numbers) {
+G point(Numbers& numbers) {
   if constexpr (std::same_as<G, SO3xR3<double>>) {
     return {numbers.rotation(), numbers.vector()};
   } else {
@@ -27,13 +25,13 @@ G point(fuzz::Numbers& numbers) {
 }
 
 template <typename Time>
-UniformKnots<Time> knots(fuzz::Numbers& numbers, std::size_t, int, UniformKnots<Time>) {
+UniformKnots<Time> knots(Numbers& numbers, std::size_t, int, UniformKnots<Time>) {
   const Time start = numbers.time<Time>();
   return {start, numbers.time<Time>()};
 }
 /// Ascending but for where a difference overflows.
 template <typename Time>
-NonUniformKnots<Time> knots(fuzz::Numbers& numbers, std::size_t count, int order, NonUniformKnots<Time>) {
+NonUniformKnots<Time> knots(Numbers& numbers, std::size_t count, int order, NonUniformKnots<Time>) {
   std::vector<Time> times(count + static_cast<std::size_t>(order));
   for (Time& time : times) time = numbers.time<Time>();
   if (numbers.input.flag()) std::sort(times.begin(), times.end());
@@ -58,29 +56,29 @@ std::vector<double> numbers_of(const G& value) {
 }
 
 void expect_finite(const std::vector<double>& numbers, const char* what) {
-  for (const double x : numbers) fuzz::expect(std::isfinite(x), what, " gives ", x);
+  for (const double x : numbers) expect(std::isfinite(x), what, " gives ", x);
 }
 
 /// The same but for rounding, which is relative to `size`.
 void expect_near(const std::vector<double>& a, const std::vector<double>& b, double tolerance, const char* what) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    fuzz::expect(std::abs(a[i] - b[i]) <= tolerance, what, " gives ", b[i], ", evaluate ", a[i]);
+    expect(std::abs(a[i] - b[i]) <= tolerance, what, " gives ", b[i], ", evaluate ", a[i]);
   }
 }
 
 template <typename Curve>
-void use(fuzz::Input& input) {
+void use(Input& input) {
   using G = typename Curve::Group;
   using Time = typename Curve::Time;
   using Scalar = typename Curve::Scalar;
-  fuzz::Numbers numbers{input};
+  Numbers numbers{input};
   const auto count = static_cast<std::size_t>(input.integer(0, Curve::order + 6));
   std::vector<G> points;
   for (std::size_t i = 0; i < count; ++i) points.push_back(point<G>(numbers));
-  (void)fuzz::accepted("", [&] {
+  (void)accepted("", [&] {
     const Curve curve(knots(numbers, count, Curve::order, std::remove_cvref_t<decltype(curve.knots())>{}), points);
     const Time start = curve.start(), end = curve.end();
-    fuzz::expect(start < end, "an empty domain was accepted");
+    expect(start < end, "an empty domain was accepted");
     // What a derivative can be: no segment is shorter than what clocks tell apart.
     double shortest = std::numeric_limits<double>::infinity(), largest = 1;
     for (std::size_t s = 0; s < curve.segments(); ++s) {
@@ -101,19 +99,19 @@ void use(fuzz::Input& input) {
       const Time t = i == 0 ? start : i == 1 ? end : at(input.bits<std::uint16_t>() / 65535.0);
       const auto motion = numbers_of(curve.template evaluate<2>(t));
       if (usual) expect_finite(motion, "evaluate");
-      fuzz::expect(!usual || numbers_of(curve.template at<2>(t)) == motion, "at() is not evaluate()");
+      expect(!usual || numbers_of(curve.template at<2>(t)) == motion, "at() is not evaluate()");
       const auto linearized = curve.template linearize<1>(t);
-      fuzz::expect(linearized.first + Curve::order <= count, "control points from ", linearized.first, " on");
+      expect(linearized.first + Curve::order <= count, "control points from ", linearized.first, " on");
       if (usual)
         expect_near(numbers_of(curve.template evaluate<0>(t)), numbers_of(linearized.value), rounding, "linearize");
     }
     const Time outside = numbers.time<Time>();
     const bool inside = outside >= start && outside <= end;
-    fuzz::expect(fuzz::accepted("Spline: ", [&] { (void)curve.template at<1>(outside); }) == inside, "at(",
-                 printable(outside), ")");
+    expect(accepted("Spline: ", [&] { (void)curve.template at<1>(outside); }) == inside, "at(", printable(outside),
+           ")");
     const auto size = static_cast<std::size_t>(input.integer(1, 40));
     const Time interval = numbers.time<Time>();
-    (void)fuzz::accepted("sample: ", [&] {
+    (void)accepted("sample: ", [&] {
       const auto samples = sample<1>(curve, outside, interval, size);
       for (std::size_t i = 0; i < size && usual; ++i) {
         const Time t = std::clamp(SampleTimes{outside, interval}(i), start, end);
@@ -127,21 +125,21 @@ void use(fuzz::Input& input) {
 
 using std::chrono::nanoseconds;
 
-const fuzz::Target target{"spline", [](fuzz::Input input) {
-                            switch (input.integer(0, 5)) {
-                              case 0:
-                                return use<Spline<Eigen::Vector2d, 4>>(input);
-                              case 1:
-                                return use<Spline<Eigen::Vector2d, 3, NonUniformKnots<double>>>(input);
-                              case 2:
-                                return use<Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>>>(input);
-                              case 3:
-                                return use<Spline<SO3xR3<double>, 4, NonUniformKnots<nanoseconds>>>(input);
-                              case 4:
-                                return use<Spline<Eigen::Matrix<float, 1, 1>, 2, UniformKnots<nanoseconds>>>(input);
-                              default:
-                                return use<Spline<Eigen::Vector2d, 8, NonUniformKnots<double>>>(input);
-                            }
-                          }};
+const Target target{"spline", [](Input input) {
+                      switch (input.integer(0, 5)) {
+                        case 0:
+                          return use<Spline<Eigen::Vector2d, 4>>(input);
+                        case 1:
+                          return use<Spline<Eigen::Vector2d, 3, NonUniformKnots<double>>>(input);
+                        case 2:
+                          return use<Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>>>(input);
+                        case 3:
+                          return use<Spline<SO3xR3<double>, 4, NonUniformKnots<nanoseconds>>>(input);
+                        case 4:
+                          return use<Spline<Eigen::Matrix<float, 1, 1>, 2, UniformKnots<nanoseconds>>>(input);
+                        default:
+                          return use<Spline<Eigen::Vector2d, 8, NonUniformKnots<double>>>(input);
+                      }
+                    }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::spline_target

@@ -9,9 +9,7 @@
 
 #include "fuzz/files.hpp"
 
-namespace {
-
-using namespace splinertia;
+namespace splinertia::fuzz::stamped_table_target {
 
 constexpr std::array<std::string_view, 9> names{"t", "a", "b", "c", "d", "e", "f", "g", "h"};
 
@@ -29,9 +27,9 @@ std::vector<Row> read_rows(const std::string& path, const TableLayout& layout) {
   });
 }
 
-const fuzz::Target target{
-    "stamped_table", [](fuzz::Input input) {
-      static fuzz::InputBytes file("table.txt");
+const Target target{
+    "stamped_table", [](Input input) {
+      static InputBytes file("table.txt");
       const auto columns = static_cast<std::size_t>(input.integer(1, static_cast<int>(names.size())));
       const auto fewest = static_cast<std::size_t>(input.integer(1, static_cast<int>(columns)));
       TableLayout layout{.format = "a table",
@@ -42,19 +40,19 @@ const fuzz::Target target{
                          .header = input.flag()};
       const std::string& path = file.with(input.rest());
       std::vector<Row> rows;
-      if (!fuzz::accepted(path, [&] { rows = read_rows(path, layout); })) return;
-      fuzz::expect(!rows.empty(), "nothing was read, and nothing refused");
+      if (!accepted(path, [&] { rows = read_rows(path, layout); })) return;
+      expect(!rows.empty(), "nothing was read, and nothing refused");
       layout.columns = layout.columns.first(fewest);
-      const std::string copy = fuzz::output_path();
+      const std::string copy = output_path();
       StampedTableWriter writer(copy, layout);
       for (std::size_t i = 0; i < rows.size(); ++i) {
-        fuzz::expect(i == 0 || rows[i].time > rows[i - 1].time, "times do not increase at ", i);
+        expect(i == 0 || rows[i].time > rows[i - 1].time, "times do not increase at ", i);
         const auto& values = rows[i].values;
-        for (const double value : values) fuzz::expect(has_finite_bits(value), "read ", value);
+        for (const double value : values) expect(has_finite_bits(value), "read ", value);
         writer.append(rows[i].time, Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)));
       }
       writer.commit();
-      fuzz::expect(read_rows(copy, layout) == rows, "rows have changed");
+      expect(read_rows(copy, layout) == rows, "rows have changed");
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::stamped_table_target

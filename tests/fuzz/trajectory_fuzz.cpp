@@ -6,13 +6,11 @@
 
 #include "fuzz/samples.hpp"
 
-namespace {
+namespace splinertia::fuzz::trajectory_target {
 
-using namespace splinertia;
-
-const fuzz::Target target{
-    "trajectory", [](fuzz::Input input) {
-      static fuzz::InputBytes file("trajectory.txt"), times("times.txt");
+const Target target{
+    "trajectory", [](Input input) {
+      static InputBytes file("trajectory.txt"), times("times.txt");
       TrajectoryFormat format;
       format.kind = static_cast<TrajectoryFormat::Kind>(input.integer(0, 7));
       if (const int order = input.integer(0, 2)) format.quaternion_order = static_cast<QuaternionOrder>(order - 1);
@@ -31,20 +29,20 @@ const fuzz::Target target{
       const bool plain = format.kind == TrajectoryFormat::Kind::automatic && format.columns.empty() && stamps != 1 &&
                          stamps != 2 && !format.quaternion_order && !format.time_unit;
       TrajectoryFile read;
-      if (!fuzz::accepted(plain ? path : "", [&] { read = read_trajectory(path, format); })) return;
-      fuzz::expect_sane(read.poses);
+      if (!accepted(plain ? path : "", [&] { read = read_trajectory(path, format); })) return;
+      expect_sane(read.poses);
       for (const auto* vectors : {&read.velocities, &read.gyro_biases, &read.accel_biases}) {
-        fuzz::expect(vectors->empty() || vectors->size() == read.poses.size(), vectors->size(), " vectors for ",
-                     read.poses.size(), " poses");
-        for (const Eigen::Vector3d& vector : *vectors) fuzz::expect_finite(vector, "a vector");
+        expect(vectors->empty() || vectors->size() == read.poses.size(), vectors->size(), " vectors for ",
+               read.poses.size(), " poses");
+        for (const Eigen::Vector3d& vector : *vectors) expect_finite(vector, "a vector");
       }
-      const std::string copy = fuzz::output_path();
+      const std::string copy = output_path();
       write_tum(copy, read.poses);
-      fuzz::expect_same(read.poses, read_tum(copy));
+      expect_same(read.poses, read_tum(copy));
       TrajectoryFile again;
-      if (fuzz::accepted(copy, [&] { again = read_trajectory(copy, {.kind = TrajectoryFormat::Kind::tum}); })) {
-        fuzz::expect_same(read.poses, again.poses);
+      if (accepted(copy, [&] { again = read_trajectory(copy, {.kind = TrajectoryFormat::Kind::tum}); })) {
+        expect_same(read.poses, again.poses);
       }
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::trajectory_target

@@ -4,15 +4,13 @@
 
 #include "fuzz/samples.hpp"
 
-namespace {
+namespace splinertia::fuzz::tum_target {
 
-using namespace splinertia;
+const Target target{"tum", [](Input input) {
+                      static InputBytes file("poses.txt");
+                      expect_round_trip(
+                          file.with(input.rest()), [](const auto& path) { return read_tum(path); },
+                          [](const auto& path, const auto& poses) { write_tum(path, poses); });
+                    }};
 
-const fuzz::Target target{"tum", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("poses.txt");
-                            fuzz::expect_round_trip(
-                                file.with(input.rest()), [](const auto& path) { return read_tum(path); },
-                                [](const auto& path, const auto& poses) { write_tum(path, poses); });
-                          }};
-
-}  // namespace
+}  // namespace splinertia::fuzz::tum_target

@@ -8,11 +8,9 @@
 
 #include "fuzz/samples.hpp"
 
-namespace {
+namespace splinertia::fuzz::writers_target {
 
-using namespace splinertia;
-
-Eigen::Vector3d vector(fuzz::Input& input) {
+Eigen::Vector3d vector(Input& input) {
   Eigen::Vector3d result;
   for (double& x : result) x = input.real();
   return result;
@@ -21,17 +19,17 @@ Eigen::Vector3d vector(fuzz::Input& input) {
 /// What is written is there; what is refused is not.
 template <typename Sample>
 void expect_written(const std::vector<Sample>& samples, const auto& write, const auto& read) {
-  const std::string path = fuzz::output_path();
+  const std::string path = output_path();
   std::filesystem::remove(path);
-  if (fuzz::accepted(path, [&] { write(path, samples); })) {
-    fuzz::expect_same(samples, read(path));
+  if (accepted(path, [&] { write(path, samples); })) {
+    expect_same(samples, read(path));
   } else {
-    fuzz::expect(!std::filesystem::exists(path), "a file that was refused is there");
+    expect(!std::filesystem::exists(path), "a file that was refused is there");
   }
 }
 
-const fuzz::Target target{
-    "writers", [](fuzz::Input input) {
+const Target target{
+    "writers", [](Input input) {
       std::vector<EurocState> states;
       std::vector<EurocImu> samples;
       std::vector<Stamped<SO3xR3<double>>> poses;
@@ -66,4 +64,4 @@ const fuzz::Target target{
           [](const auto& path) { return read_tum(path); });
     }};
 
-}  // namespace
+}  // namespace splinertia::fuzz::writers_target

@@ -8,27 +8,25 @@
 #include "fuzz/files.hpp"
 #include "support/yaml_reader.hpp"
 
-namespace {
+namespace splinertia::fuzz::yaml_text_target {
 
-using namespace splinertia;
+const Target target{"yaml_text", [](Input input) {
+                      static InputBytes file("text.yaml");
+                      const double number = Input(input).bits<double>();
+                      const std::string text(input.rest());
+                      std::string yaml =
+                          "# " + escaped_line(text) + "\nkey: " + yaml_string(text) + "  # " + escaped_line(text);
+                      yaml += "\nnumber: " + yaml_number(has_finite_bits(number) ? number : 1) + '\n';
+                      const YamlReader reader = YamlReader::open(file.with(yaml));
+                      reader.expect_only({"key", "number"});
+                      (void)reader["key"].text();
+                      if (has_finite_bits(number)) {
+                        const double read = reader["number"].number();
+                        expect(read == number, "wrote ", yaml_number(number), ", read ", read);
+                      }
+                      bool plain = true;
+                      for (const char c : text) plain = plain && c >= ' ' && c <= '~';
+                      if (plain) expect(reader["key"].text() == text, "read ", reader["key"].text());
+                    }};
 
-const fuzz::Target target{"yaml_text", [](fuzz::Input input) {
-                            static fuzz::InputBytes file("text.yaml");
-                            const double number = fuzz::Input(input).bits<double>();
-                            const std::string text(input.rest());
-                            std::string yaml =
-                                "# " + escaped_line(text) + "\nkey: " + yaml_string(text) + "  # " + escaped_line(text);
-                            yaml += "\nnumber: " + yaml_number(has_finite_bits(number) ? number : 1) + '\n';
-                            const YamlReader reader = YamlReader::open(file.with(yaml));
-                            reader.expect_only({"key", "number"});
-                            (void)reader["key"].text();
-                            if (has_finite_bits(number)) {
-                              const double read = reader["number"].number();
-                              fuzz::expect(read == number, "wrote ", yaml_number(number), ", read ", read);
-                            }
-                            bool plain = true;
-                            for (const char c : text) plain = plain && c >= ' ' && c <= '~';
-                            if (plain) fuzz::expect(reader["key"].text() == text, "read ", reader["key"].text());
-                          }};
-
-}  // namespace
+}  // namespace splinertia::fuzz::yaml_text_target
