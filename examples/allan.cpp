@@ -25,6 +25,7 @@
 #include "support/allan_report.hpp"
 #include "support/imu_log.hpp"
 #include "support/imu_noise.hpp"
+#include "support/output_folder.hpp"
 #include "support/program.hpp"
 #include "support/python_script.hpp"
 
@@ -105,7 +106,9 @@ void analyse_log(Options o) {
   const LogNoise noise = analyse(log, o.identify, o.threads);
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
   print_report(log, noise);
-  write_files(noise, o.output, estimators_of(o.for_estimators));
+  OutputFolder folder(o.output, "allan");
+  if (!o.no_plot) folder.expect_pictures("allan");
+  write_files(noise, folder, estimators_of(o.for_estimators));
   if (!o.no_plot) plot(o);
 }
 
@@ -217,8 +220,10 @@ void add_options(CLI::App& app, Options& o) {
       ->allow_extra_args(false);
   app.add_flag("!--keep-misfits", o.identify.exclude_misfits,
                "do not leave out the bands where the power is not that of noise (lines, resonances, filters)");
-  app.add_option("-o,--output", o.output,
-                 "folder for curves.csv, noise.csv, spectrum.csv, findings.csv, the files for estimators, allan.png and .svg")
+  app.add_option(
+         "-o,--output", o.output,
+         "folder for curves.csv (there only if all files are complete), noise.csv, spectrum.csv, findings.csv, the "
+         "files for estimators, allan.png and .svg")
       ->capture_default_str();
   o.for_estimators = estimator_names();
   app.add_option("--estimators", o.for_estimators,

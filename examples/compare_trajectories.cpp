@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <splinertia/finite.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
 #include <utility>
@@ -31,8 +32,10 @@ void run(const Options& o) {
   const Poses reference = read(o.reference), estimate = read(o.estimate);
   const Comparison comparison = compare(reference, estimate, o);
   print(comparison, reference.size(), estimate.size(), o);
-  if (!o.csv.empty()) write_table(o.csv, comparison);
-  if (!o.errors.empty()) write_errors(o.errors, comparison);
+  FileSet files;
+  if (!o.errors.empty()) write_errors(o.errors, comparison, files);
+  if (!o.csv.empty()) write_table(o.csv, comparison, files);
+  files.commit();
   if (o.plot.empty()) return;
   try {
     plot(comparison, o);

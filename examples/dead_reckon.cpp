@@ -91,8 +91,8 @@ Row reckon(const Inputs& in, double window, const Options& o) {
       ++first;
       continue;
     }
-    const auto next = std::ranges::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(),
-                                               target, {}, &EurocImu::time);
+    const auto next = std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(), target,
+                                       [](const EurocImu& sample, nanoseconds t) { return sample.time < t; });
     auto last = static_cast<std::size_t>(next - samples.begin());
     const bool nearer_before = next == samples.end() || target - samples[last - 1].time < samples[last].time - target;
     if (nearer_before && last - 1 > first) --last;

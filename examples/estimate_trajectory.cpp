@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "support/program.hpp"
+#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -256,8 +257,7 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--gravity-tilt", o.gravity_tilt, "how far off the first guess of gravity is [deg]")
       ->capture_default_str();
   app.add_option("--iterations", o.iterations, "at most")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--seed", o.seed, "of the noise; the same seed gives the same measurements everywhere")
-      ->capture_default_str();
+  add_whole_number_option(app, "--seed", o.seed, "of the noise; the same seed gives the same measurements everywhere");
   app.add_option("--csv", o.csv, "also write the table of errors to this file");
 }
 

@@ -55,7 +55,7 @@ void run(Options& o) {
   }
   const WrittenFiles written = write_files(fitted, report, o);
   std::fputs(report.c_str(), stdout);
-  std::printf("\n%swrote %s to %s\n", written.note.c_str(), list_of(written.names).c_str(), o.output.string().c_str());
+  std::printf("\n%swrote %s to %s\n", written.note.c_str(), written.names.c_str(), o.output.string().c_str());
   if (!o.no_plot) plot(o);
 }
 
@@ -82,9 +82,10 @@ void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
   auto* trajectory = app.add_option("trajectory", o.input.file, "trajectory of any format below, or a ROS bag");
   trajectory->required();
-  app.add_option("-o,--output", o.output,
-                 "folder for control_points.csv, knots.csv, residuals.csv, gaps.csv, derived_imu.csv (EuRoC), "
-                 "imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg")
+  app.add_option(
+         "-o,--output", o.output,
+         "folder for control_points.csv (there only if all files are complete), knots.csv, residuals.csv, gaps.csv, "
+         "derived_imu.csv (EuRoC), imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg")
       ->capture_default_str();
   app.add_option("--rate", o.rate, "of derived_imu.csv [Hz]")->capture_default_str();
   app.add_flag("--keep-holes", o.keep_holes, "keep the readings where there are no poses, which are invented");

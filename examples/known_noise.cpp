@@ -20,6 +20,7 @@
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
+#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -96,7 +97,9 @@ void run(const KnownImu& known, const Options& o) {
   ImuLogOptions reading;
   reading.python = o.python;
   const LogNoise noise = analyse(read_imu_log(bag, reading), {});
-  write_files(noise, folder);
+  OutputFolder output(folder, "known_noise");
+  if (!o.no_plot) output.expect_pictures("allan");
+  write_files(noise, output);
   if (!o.no_plot) {
     PythonScript(o.python, "plot_allan.py", {folder.string()}, PythonScript::Output::shared).finish();
   }
@@ -122,7 +125,7 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("--duration", options.duration, "s")->check(CLI::Range(10.0, 1e6))->capture_default_str();
   app.add_option("--rate", options.rate, "Hz")->check(CLI::Range(1.0, 1e5))->capture_default_str();
-  app.add_option("--seed", options.seed, "of the random numbers")->capture_default_str();
+  add_whole_number_option(app, "--seed", options.seed, "of the random numbers");
   app.add_option("--format", options.format, "bag is that of ROS 1, mcap and db3 are of ROS 2")
       ->check(CLI::IsMember({"bag", "mcap", "db3"}))
       ->capture_default_str();

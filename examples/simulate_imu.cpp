@@ -49,9 +49,7 @@ class Run {
         output_(o, sensor, holes),
         ideal_("ideal", o.gravity.vector),
         noisy_("noisy", o.gravity.vector),
-        in_hole_(holes.size()) {
-    if (!o.csv.empty()) table_csv_.emplace(o.csv);
-  }
+        in_hole_(holes.size()) {}
 
   void follow(const auto& readings) {
     samples_ = readings.size();
@@ -81,9 +79,8 @@ class Run {
       throw std::runtime_error(message("none of ", samples_, " samples is left: ", dropped_, " dropped, ", left_out(),
                                        " in holes without poses (--keep-holes keeps these)"));
     }
-    if (table_csv_) write_table();
+    if (AtomicFile* table = output_.table()) write(*table);
     const std::string names = output_.commit();
-    if (table_csv_) table_csv_->commit();
     if (dropped_ > 0) std::printf("%zu sample%s dropped\n", dropped_, dropped_ == 1 ? " was" : "s were");
     print_holes();
     std::printf("wrote %s to %s\n", names.c_str(), options_.output.string().c_str());
@@ -132,19 +129,18 @@ class Run {
     noisy_.print();
   }
 
-  void write_table() {
-    table_csv_->append(
+  void write(AtomicFile& table) {
+    table.append(
         "imu,scheme,position_rms_m,position_max_m,position_end_m,attitude_rms_deg,attitude_max_deg,"
         "attitude_end_deg\n");
-    ideal_.write(*table_csv_);
-    noisy_.write(*table_csv_);
+    ideal_.write(table);
+    noisy_.write(table);
   }
 
   const AnyTrajectory& truth_;
   const std::vector<Hole>& holes_;
   const Options& options_;
   Output output_;
-  std::optional<AtomicFile> table_csv_{};
   DeadReckoning ideal_, noisy_;
   std::vector<std::size_t> in_hole_;  // samples
   std::optional<std::size_t> last_hole_{};

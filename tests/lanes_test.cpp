@@ -2,11 +2,12 @@
 #include <splinertia/lanes.hpp>
 
 #include <Eigen/Geometry>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 
@@ -26,7 +27,7 @@ std::vector<T> numbers(const Lanes<T, N, Bytes>& x) {
 TEMPLATE_TEST_CASE("lanes compute as their numbers do", "", (Lanes<float, 4, 16>), (Lanes<double, 2, 16>),
                    (Lanes<double, 8, 16>), (Lanes<float, 16, 16>), NativeLanes<float>, NativeLanes<double>) {
   using L = TestType;
-  using T = decltype(numbers(L(1)))::value_type;
+  using T = typename decltype(numbers(L(1)))::value_type;
   std::mt19937 bits(1);
   std::uniform_real_distribution<T> uniform(-10, 10);
   std::vector<T> a(L::size), b(L::size);

@@ -2,10 +2,11 @@
 #include <splinertia/parallel.hpp>
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 

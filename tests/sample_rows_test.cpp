@@ -2,8 +2,9 @@
 #include <splinertia/sample_rows.hpp>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdint>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 

@@ -80,7 +80,7 @@ void print(const Comparison& c, std::size_t reference_poses, std::size_t estimat
   if (!c.no_drift.empty()) std::printf("\n%s\n", c.no_drift.c_str());
 }
 
-void write_table(const std::filesystem::path& path, const Comparison& c) {
+void write_table(const std::filesystem::path& path, const Comparison& c, FileSet& files) {
   AtomicFile file(path);
   file.append("metric,part,unit,count,rmse,mean,median,std,min,max,sse\n");
   for (const auto& [metric, part, unit, e] : c.rows) {
@@ -91,10 +91,10 @@ void write_table(const std::filesystem::path& path, const Comparison& c) {
     }
     file.append('\n');
   }
-  file.commit();
+  file.commit(files);
 }
 
-void write_errors(const std::filesystem::path& path, const Comparison& c) {
+void write_errors(const std::filesystem::path& path, const Comparison& c, FileSet& files) {
   AtomicFile file(path);
   file.append(
       "#timestamp [ns],reference_x [m],reference_y [m],reference_z [m],estimate_x [m],estimate_y [m],estimate_z [m],"
@@ -114,14 +114,16 @@ void write_errors(const std::filesystem::path& path, const Comparison& c) {
     }
     file.append('\n');
   }
-  file.commit();
+  file.commit(files);
 }
 
 void plot(const Comparison& c, const Options& o) {
   const TemporaryFile errors;
-  write_errors(errors.path, c);
-  const std::string title =
-      message(o.estimate.file.filename().string(), " against ", o.reference.file.filename().string(), ", aligned: ", o.align);
+  FileSet files;
+  write_errors(errors.path, c, files);
+  files.commit();
+  const std::string title = message(o.estimate.file.filename().string(), " against ",
+                                    o.reference.file.filename().string(), ", aligned: ", o.align);
   PythonScript(o.python, "plot_comparison.py", {errors.path.string(), o.plot.string(), "--title", title},
                PythonScript::Output::shared)
       .finish();

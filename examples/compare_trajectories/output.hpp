@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <splinertia/io/file_set.hpp>
 
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
@@ -11,10 +12,10 @@ void print(const Comparison& comparison, std::size_t reference_poses, std::size_
            const Options& options);
 
 /// The statistics, with all digits.
-void write_table(const std::filesystem::path& path, const Comparison& comparison);
+void write_table(const std::filesystem::path& path, const Comparison& comparison, splinertia::FileSet& files);
 
 /// A row for each pair: both positions and the absolute errors.
-void write_errors(const std::filesystem::path& path, const Comparison& comparison);
+void write_errors(const std::filesystem::path& path, const Comparison& comparison, splinertia::FileSet& files);
 
 /// Draws the paths and the errors. Throws ScriptFailed, which has said why, or std::runtime_error.
 void plot(const Comparison& comparison, const Options& options);

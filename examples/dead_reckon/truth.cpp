@@ -55,7 +55,8 @@ TrueStates read_truth(const Options& o) {
 
 std::optional<Truth> at(const TrueStates& truth, nanoseconds time, double longest_gap) {
   const auto& rows = truth.rows;
-  const auto after = std::ranges::lower_bound(rows, time, {}, [](const Truth& row) { return row.state.time; });
+  const auto after = std::lower_bound(rows.begin(), rows.end(), time,
+                                      [](const Truth& row, nanoseconds t) { return row.state.time < t; });
   if (after == rows.end()) return std::nullopt;
   if (after->state.time == time) return *after;
   if (after == rows.begin()) return std::nullopt;

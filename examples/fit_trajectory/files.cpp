@@ -4,11 +4,11 @@
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/tum.hpp>
-#include <system_error>
 
 #include "files.hpp"
 #include "support/calibration_file.hpp"
 #include "support/formatted.hpp"
+#include "support/output_folder.hpp"
 #include "support/progress.hpp"
 
 using namespace splinertia;
@@ -102,15 +102,10 @@ std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted,
 }  // namespace
 
 WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o) {
-  std::error_code error;
-  std::filesystem::create_directories(o.output, error);
-  if (error) throw std::runtime_error(message(o.output.string(), ": cannot create this folder: ", error.message()));
-  WrittenFiles written;
+  OutputFolder folder(o.output, "fit_trajectory");
+  if (!o.no_plot) folder.expect_pictures("fit");
   std::deque<AtomicFile> files;
-  const auto begin = [&](const char* name) -> AtomicFile& {
-    written.names.emplace_back(name);
-    return files.emplace_back(o.output / name);
-  };
+  const auto begin = [&](const char* name) -> AtomicFile& { return files.emplace_back(folder.path(name)); };
   write_control_points(begin("control_points.csv"), fitted, o);
   if (!fitted.knots.empty()) write_knots(begin("knots.csv"), fitted);
   write_residuals(begin("residuals.csv"), fitted);
@@ -118,19 +113,15 @@ WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& repo
   if (fitted.imu) write_samples(begin("imu_residuals.csv"), *fitted.imu);
   if (fitted.imu) begin("calibration.yaml").append(calibration_text(fitted.imu->calibrated));
   begin("report.txt").append(report);
-  EurocImuWriter derived(o.output / "derived_imu.csv");
-  TumWriter smoothed(o.output / "smoothed.tum");
+  EurocImuWriter derived(folder.path("derived_imu.csv"));
+  TumWriter smoothed(folder.path("smoothed.tum"));
+  WrittenFiles written;
   written.note = write_readings(derived, fitted, o);
   for (const auto& pose : fitted.smoothed) smoothed.append(pose);
-  for (AtomicFile& file : files) file.commit();
-  derived.commit();
-  smoothed.commit();
-  written.names.insert(written.names.end(), {"derived_imu.csv", "smoothed.tum"});
-  // What another run has left would be taken for this one's.
-  if (fitted.knots.empty()) std::filesystem::remove(o.output / "knots.csv", error);
-  if (!fitted.imu) {
-    for (const char* name : {"imu_residuals.csv", "calibration.yaml"}) std::filesystem::remove(o.output / name, error);
-  }
-  for (const char* picture : {"fit.png", "fit.svg"}) std::filesystem::remove(o.output / picture, error);
+  smoothed.commit(folder.files());
+  derived.commit(folder.files());
+  // control_points.csv appears last.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit(folder.files());
+  written.names = folder.commit();
   return written;
 }

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "options.hpp"
 #include "support/fitted_trajectory.hpp"
 
 struct WrittenFiles {
-  std::vector<std::string> names;  // of the files
-  std::string note;                // on the readings in holes; empty if there are none
+  std::string names;  // "control_points.csv, ... and smoothed.tum"
+  std::string note;   // on the readings in holes; empty if there are none
 };
 
-/// Writes the files but the plot, all or none of them.
+/// Writes the files but the plot, all or none of them. control_points.csv is there only if all others are.
 [[nodiscard]] WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report,
                                        const Options& options);

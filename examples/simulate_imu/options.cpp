@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
-#include <charconv>
 #include <map>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/random_walk.hpp>
 #include <splinertia/imu/white_noise.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
-#include <system_error>
 
 #include "support/error_yaml.hpp"
 #include "support/imu_noise.hpp"
+#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -26,18 +25,6 @@ const std::map<std::string, AnyImu>& preset_imus() {
                                                    {"euroc", any_imu(presets::euroc)},
                                                    {"ideal", any_imu(Imu<>{})}};
   return table;
-}
-
-/// CLI11 takes -1 and what is too large for the largest number there is.
-void add_seed_option(CLI::App& app, std::uint64_t& seed) {
-  const auto read = [&seed](const std::string& text) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (error != std::errc{} || end != text.data() + text.size()) {
-      throw CLI::ValidationError("--seed", text + ", expected a whole number from 0 to 18446744073709551615");
-    }
-  };
-  app.add_option_function<std::string>("--seed", read, "of the noise; the same seed gives the same samples everywhere")
-      ->default_str("0");
 }
 
 void add_sensor_options(CLI::App& app, Options& o) {
@@ -55,7 +42,7 @@ void add_sensor_options(CLI::App& app, Options& o) {
   app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)], likewise");
   app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)], likewise");
   add_gravity_option(app, o.gravity);
-  add_seed_option(app, o.seed);
+  add_whole_number_option(app, "--seed", o.seed, "of the noise; the same seed gives the same samples everywhere");
 }
 
 }  // namespace
@@ -72,7 +59,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_flag("--keep-holes", o.keep_holes, "keep the samples where there are no poses, which are invented")
       ->needs(trajectory);
   app.add_option("-o,--output", o.output,
-                 "folder for imu.csv, groundtruth.csv (EuRoC), poses.tum (TUM), imu.yaml (Kalibr) and gaps.csv")
+                 "folder for imu.csv (there only if all files are complete), groundtruth.csv (EuRoC), poses.tum (TUM), "
+                 "imu.yaml "
+                 "(Kalibr) and gaps.csv")
       ->capture_default_str();
   app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
   app.add_option("--csv", o.csv, "also write the table of integration errors to this file");

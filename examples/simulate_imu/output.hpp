@@ -15,8 +15,9 @@
 #include "dead_reckoning.hpp"
 #include "options.hpp"
 #include "support/holes.hpp"
+#include "support/output_folder.hpp"
 
-/// The files of a run. All appear with commit(), or none.
+/// The files of a run. All appear with commit(), or none. imu.csv is there only if all others are.
 class Output {
  public:
   /// Creates the folder and begins the files.
@@ -26,14 +27,16 @@ class Output {
   void append(const splinertia::StampedImuReading<double, std::chrono::nanoseconds>& reading, const TrueState& truth);
   /// What comes next in imu.csv is in a hole.
   void mark(const Hole& hole) { imu_csv_.comment(hole_comment(hole)); }
+  /// The table of integration errors, if it is asked for.
+  [[nodiscard]] splinertia::AtomicFile* table() { return table_csv_ ? &*table_csv_ : nullptr; }
   /// Completes the files and returns "imu.csv, groundtruth.csv and poses.tum".
   [[nodiscard]] std::string commit();
 
  private:
-  std::filesystem::path folder_;
+  OutputFolder folder_;
   splinertia::EurocImuWriter imu_csv_;
   splinertia::EurocGroundtruthWriter groundtruth_csv_;
   splinertia::TumWriter poses_tum_;
   std::optional<splinertia::NpyImuWriter> imu_npy_;
-  std::optional<splinertia::AtomicFile> imu_yaml_, gaps_csv_;
+  std::optional<splinertia::AtomicFile> imu_yaml_, gaps_csv_, table_csv_;
 };

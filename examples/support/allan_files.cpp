@@ -8,9 +8,7 @@
 #include <limits>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/message.hpp>
-#include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "support/formatted.hpp"
 #include "support/noise_text.hpp"
@@ -231,17 +229,9 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
   return result;
 }
 
-void write_files(const LogNoise& noise, const std::filesystem::path& folder,
-                 const std::vector<Estimator>& for_estimators) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(message(folder.string(), ": cannot create this folder: ", error.message()));
-  std::deque<AtomicFile> files;  // which cannot be moved
-  std::vector<std::string> names;
-  const auto add = [&](std::string_view file) -> AtomicFile& {
-    names.emplace_back(file);
-    return files.emplace_back(folder / names.back());
-  };
+void write_files(const LogNoise& noise, OutputFolder& folder, const std::vector<Estimator>& for_estimators) {
+  std::deque<AtomicFile> files;
+  const auto add = [&](std::string_view name) -> AtomicFile& { return files.emplace_back(folder.path(name)); };
   write_curves(add("curves.csv"), noise);
   write_noise(add("noise.csv"), noise);
   write_spectrum(add("spectrum.csv"), noise);
@@ -252,7 +242,9 @@ void write_files(const LogNoise& noise, const std::filesystem::path& folder,
       add(file_name(estimator)).append(imu_noise_text(estimator, found->imu, found->comments));
     }
   }
-  for (AtomicFile& file : files) file.commit();
-  std::printf("wrote %s to %s\n", list_of(names).c_str(), folder.string().c_str());
+  // curves.csv, which every reader needs, appears last.
+  for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit(folder.files());
+  const std::string names = folder.commit();
+  std::printf("wrote %s to %s\n", names.c_str(), folder.path().c_str());
   if (!found) std::puts("no files for estimators: they want N and K of both sensors");
 }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <splinertia/io/write_error.hpp>
 #include <stdexcept>
 
 /// A result that is not good enough to be written. What is said then names the option that takes it all the same.
@@ -28,10 +29,10 @@ struct AlreadyReported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes lost output an error of the write: a closed pipe would end the program with a signal, and a file that is
-/// opened while the standard output is closed would become it.
+/// Makes lost output an error of the write: a closed pipe or a file that grows too large would end the program with a
+/// signal, and a file that is opened while the standard output is closed would become it.
 inline void prepare_standard_streams() {
-  std::signal(SIGPIPE, SIG_IGN);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool closed = ::fcntl(stream, F_GETFD) == -1;
     // In the direction that it is not used in. The lowest number that is free is that of the stream.
@@ -52,6 +53,8 @@ inline void prepare_standard_streams() {
   } catch (const AlreadyReported&) {
     return 2;
   } catch (const OutputLost& error) {
+    return fail(1, error.what());
+  } catch (const splinertia::WriteError& error) {
     return fail(1, error.what());
   } catch (const NotAccepted& error) {
     return fail(3, error.what());

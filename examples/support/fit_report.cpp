@@ -7,6 +7,7 @@
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"
+#include "support/yaml_text.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -176,7 +177,7 @@ std::string fit_report(const FitInput& input, const FittedTrajectory& fitted, co
   const nanoseconds first = poses.front().time, last = poses.back().time;
   std::string text = input.notes;
   text += formatted("%s: %zu poses over %.9g s from %lld to %lld ns, longest interval %.4g s\n",
-                    input.file.string().c_str(), poses.size(), to_seconds<double>(last - first),
+                    escaped_line(input.file.string()).c_str(), poses.size(), to_seconds<double>(last - first),
                     static_cast<long long>(first.count()), static_cast<long long>(last.count()),
                     to_seconds<double>(longest_interval(poses)));
   text += formatted("spline: order %d on %s, %zu control points\n", o.order,

@@ -4,6 +4,7 @@
 
 #include "support/fit_report.hpp"
 #include "support/formatted.hpp"
+#include "support/yaml_text.hpp"
 
 using namespace splinertia;
 
@@ -20,7 +21,7 @@ std::string estimate(double value, double deviation) {
 std::string imu_report(const FittedImu& fitted, const FitImu& imu) {
   const auto& [calibration, deviation, gyro_rms, accel_rms, inside, iterations, converged] = fitted.calibrated;
   std::string text = formatted("\nIMU %s: %zu of %zu samples within the curve and outside holes, %s\n",
-                               imu.file.string().c_str(), inside, imu.samples.size(),
+                               escaped_line(imu.file.string()).c_str(), inside, imu.samples.size(),
                                imu.fit_together ? "fitted together with the poses" : "held against the curve");
   const auto row = [&](const char* name, const Eigen::Vector3d& value, const Eigen::Vector3d& sigma, const char* unit) {
     text += formatted("  %-19s", name);

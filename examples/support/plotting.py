@@ -3,6 +3,8 @@
 import argparse
 import os
 import pathlib
+import signal
+import stat
 import sys
 
 import standard_output
@@ -20,12 +22,21 @@ def parser(description):
 
 
 def save(figure, picture):
-    """In the form that the suffix of the path names."""
+    """In the form that the suffix of the path names. As the programs write: links are followed, permissions stay, what is
+    read-only or no file is refused."""
     form = picture.suffix[1:]
-    temporary = picture.with_name(f".{picture.name}.tmp")
+    target = pathlib.Path(os.path.realpath(picture))
+    old = target.stat() if target.exists() else None
+    if old and not stat.S_ISREG(old.st_mode):
+        raise Failure(f"{picture}: exists and is not a regular file")
+    if old and not (old.st_mode & 0o222 and os.access(target, os.W_OK)):
+        raise Failure(f"{picture}: is read-only")
+    temporary = target.with_name(f".splinertia.{os.getpid()}.tmp")  # short: names can be as long as they may
     try:
         figure.savefig(temporary, format=form, metadata={"Date": None} if form == "svg" else None)
-        os.replace(temporary, picture)
+        if old:
+            os.chmod(temporary, stat.S_IMODE(old.st_mode) & 0o777)
+        os.replace(temporary, target)
     finally:
         temporary.unlink(missing_ok=True)
 
@@ -36,6 +47,7 @@ def script_name():
 
 def run(work):
     """Calls work(), which draws. A Failure or a file that cannot be used ends the script with one line and code 2."""
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # not before save() has tidied up
     try:
         try:
             import matplotlib

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/python_script.hpp"
+#include "support/yaml_text.hpp"
 
 using namespace splinertia;
 
@@ -97,6 +98,6 @@ TrajectoryFile read_trajectory_input(const TrajectoryInput& input) {
 
 std::string note_lines(const TrajectoryInput& input, const TrajectoryFile& file) {
   std::string text;
-  for (const std::string& note : file.notes) text += input.file.string() + ": " + note + '\n';
+  for (const std::string& note : file.notes) text += escaped_line(input.file.string() + ": " + note) + '\n';
   return text;
 }

@@ -80,7 +80,15 @@ void YamlReader::fail(const std::string& what) const {
 
 bool YamlReader::is_map() const { return node_->IsMap(); }
 bool YamlReader::is_list() const { return node_->IsSequence(); }
-bool YamlReader::has(const std::string& key) const { return node_->IsMap() && (*node_)[key]; }
+bool YamlReader::has(const std::string& key) const {
+  if (!is_map()) return false;
+  int count = 0;
+  for (const auto& entry : *node_) {
+    const bool found = entry.first.IsScalar() && entry.first.Scalar() == key;
+    if (found && ++count > 1) YamlReader(path_, entry.first).fail(message(key, " is there twice, expected it once"));
+  }
+  return count == 1;
+}
 
 YamlReader YamlReader::operator[](const std::string& key) const {
   if (!has(key)) fail(message("no ", key, ", expected one"));

@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: MIT
+/// Checks for NaN and infinity that also work under -ffast-math. That option lets compilers remove every comparison
+/// and every std::isfinite that only a NaN or an infinity could decide; they keep what is asked of bits.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <splinertia/time.hpp>
+#include <type_traits>
 
 namespace splinertia {
+
+/// Neither infinite nor NaN, by the bits of the exponent. While compiling, only float and double.
+template <std::floating_point T>
+[[nodiscard]] constexpr bool has_finite_bits(const T& x) {
+  using Limits = std::numeric_limits<T>;
+  constexpr int width = std::bit_width(static_cast<unsigned>(Limits::max_exponent));  // of the exponent
+  if constexpr (sizeof(T) == 4 || sizeof(T) == 8) {
+    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
+    constexpr Bits exponent = ((Bits{1} << width) - 1) << (Limits::digits - 1);
+    return (std::bit_cast<Bits>(x) & exponent) != exponent;
+  } else {  // the 80 bits of x87, or 128: the highest 16 are the sign and the exponent
+    static_assert(width == 15);
+    constexpr std::size_t bytes = Limits::digits == 64 ? 10 : sizeof(T);
+    constexpr std::size_t highest = std::endian::native == std::endian::little ? bytes - 2 : 0;
+    std::uint16_t bits;
+    std::memcpy(&bits, reinterpret_cast<const unsigned char*>(&x) + highest, sizeof(bits));
+    return (bits & 0x7FFF) != 0x7FFF;
+  }
+}
 
 /// Neither infinite nor NaN, for any scalar, also while compiling; integer times are always finite.
 template <typename T>
@@ -12,8 +41,20 @@ template <typename T>
   if constexpr (is_integer_duration<T>) {
     return true;
   } else {
-    return x >= std::numeric_limits<T>::lowest() && x <= std::numeric_limits<T>::max();
+    if constexpr (std::floating_point<T>) {
+      if (!std::is_constant_evaluated()) return has_finite_bits(x);
+    }
+    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
   }
+}
+
+/// All coefficients of a vector or matrix are finite.
+template <typename Matrix>
+[[nodiscard]] constexpr bool all_finite(const Matrix& x) {
+  for (auto i = x.size(); i-- > 0;) {
+    if (!is_finite(x.coeff(i))) return false;
+  }
+  return true;
 }
 
 }  // namespace splinertia

@@ -26,7 +26,7 @@ struct Lanes {
   static constexpr int vectors = N / width;
   static_assert(vectors * width == N, "lanes fill whole vectors");
 
-  Vector vector[vectors];
+  Vector vector[static_cast<std::size_t>(vectors)];
 
   Lanes() = default;  // uninitialised, as T is
   /// x in all lanes; −0 stays −0.

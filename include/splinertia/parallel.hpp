@@ -49,10 +49,15 @@ inline void for_each_index(Parallel policy, std::size_t count, const auto& f) {
       error = std::current_exception();
     }
   };
-  const std::size_t wanted = policy.threads > 0 ? policy.threads : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted = policy.threads > 0 ? policy.threads : (std::max)(1U, std::thread::hardware_concurrency());
   {
-    std::vector<std::jthread> helpers;
-    for (std::size_t thread = 1; thread < std::min(wanted, count); ++thread) helpers.emplace_back(work);
+    struct Joined {  // std::jthread, which libc++ has since version 18
+      std::vector<std::thread> threads;
+      ~Joined() {
+        for (std::thread& thread : threads) thread.join();
+      }
+    } helpers;
+    for (std::size_t thread = 1; thread < (std::min)(wanted, count); ++thread) helpers.threads.emplace_back(work);
     work();
   }
   if (error) std::rethrow_exception(error);

@@ -2,6 +2,8 @@
 /// How parameters are checked.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/refuse.hpp>
 #include <stdexcept>
@@ -20,6 +22,16 @@ constexpr void require_finite(const char* whose, const char* parameter, const Sc
   require(is_finite(value), whose, parameter, value, "a finite number");
 }
 
+/// The same for each component of a vector.
+template <typename Vector>
+constexpr void require_all_finite(const char* whose, const char* parameter, const Vector& values) {
+  for (int i = 0; i < static_cast<int>(values.size()); ++i) {
+    if (!is_finite(values[i])) {
+      refuse<std::invalid_argument>(whose, ": ", parameter, '[', i, "] is ", values[i], ", expected a finite number");
+    }
+  }
+}
+
 template <typename Scalar>
 constexpr void require_non_negative(const char* whose, const char* parameter, const Scalar& value) {
   require(is_finite(value) && value >= Scalar(0), whose, parameter, value, "a finite number >= 0");
@@ -28,6 +40,22 @@ constexpr void require_non_negative(const char* whose, const char* parameter, co
 template <typename Scalar>
 constexpr void require_positive(const char* whose, const char* parameter, const Scalar& value) {
   require(is_finite(value) && value > Scalar(0), whose, parameter, value, "a finite number > 0");
+}
+
+/// The largest magnitude of numbers of which three can be multiplied without overflow: a power of two.
+template <typename Scalar>
+[[nodiscard]] constexpr Scalar largest_factor() {
+  Scalar factor(1);
+  for (int i = 0; i < (std::min)(std::numeric_limits<Scalar>::max_exponent, 1024) / 3; ++i) factor *= Scalar(2);
+  return factor;
+}
+
+/// For parameters that are multiplied with others and with a reading.
+template <typename Scalar>
+constexpr void require_factor(const char* whose, const char* parameter, const Scalar& value) {
+  constexpr auto most = largest_factor<Scalar>;
+  require(-most() <= value && value <= most(), whose, parameter, value,
+          "a number of which the third power does not overflow");
 }
 
 }  // namespace splinertia

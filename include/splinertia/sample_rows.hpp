@@ -53,10 +53,14 @@ class SampleRows {
     std::ptrdiff_t stride_;
   };
 
-  /// Rows r … r + Count − 1, a matrix of Count × size().
+  /// Rows r … r + Count − 1, a matrix of Count × size(): where they are kept, or of a temporary, a copy.
   template <int Count>
-  [[nodiscard]] auto rows(int r) const {
+  [[nodiscard]] auto rows(int r) const& {
     return numbers_.template middleRows<Count>(r).leftCols(static_cast<Eigen::Index>(size_));
+  }
+  template <int Count>
+  [[nodiscard]] Eigen::Matrix<Scalar, Count, Eigen::Dynamic, Eigen::RowMajor> rows(int r) && {
+    return rows<Count>(r);
   }
 
   /// Rows r … r + Count − 1 of sample i.

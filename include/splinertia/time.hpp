@@ -7,7 +7,12 @@
 #include <chrono>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
+#include <ratio>
+#include <splinertia/refuse.hpp>
+#include <stdexcept>
+#include <string_view>
 #include <type_traits>
 
 namespace splinertia {
@@ -15,7 +20,7 @@ namespace splinertia {
 template <typename T>
 inline constexpr bool is_integer_duration = false;
 template <typename Rep, typename Period>
-inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = std::integral<Rep>;
+inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = std::signed_integral<Rep>;
 
 template <typename T>
 concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
@@ -30,37 +35,6 @@ template <typename Scalar, TimePoint Time>
   }
 }
 
-/// The time that is `elapsed` seconds after `start`, to the nearest tick.
-template <TimePoint Time>
-[[nodiscard]] Time after(Time start, double elapsed) {
-  if constexpr (std::floating_point<Time>) {
-    return start + static_cast<Time>(elapsed);
-  } else {
-    using Ticks = std::chrono::duration<double, typename Time::period>;
-    return start + Time(std::llround(Ticks(std::chrono::duration<double>(elapsed)).count()));
-  }
-}
-
-/// The time right after t: the next number, or the next tick.
-template <TimePoint Time>
-[[nodiscard]] Time next_time(Time t) {
-  if constexpr (std::floating_point<Time>) {
-    return std::nextafter(t, std::numeric_limits<Time>::max());
-  } else {
-    return t + Time(1);
-  }
-}
-
-/// The same time in nanoseconds, as files of the field keep it; seconds are rounded to the nearest.
-template <TimePoint Time>
-[[nodiscard]] std::chrono::nanoseconds to_nanoseconds(Time t) {
-  if constexpr (std::floating_point<Time>) {
-    return after(std::chrono::nanoseconds{0}, static_cast<double>(t));
-  } else {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(t);
-  }
-}
-
 /// What to print: seconds, or ticks of an integer duration.
 template <TimePoint Time>
 [[nodiscard]] constexpr auto printable(Time t) {
@@ -69,6 +43,128 @@ template <TimePoint Time>
   } else {
     return t.count();
   }
+}
+
+/// to − from. Where an integer Time does not hold the difference (64 bits of nanoseconds hold 292 years), the result is
+/// the nearest that it holds.
+template <TimePoint Time>
+[[nodiscard]] constexpr Time time_between(Time from, Time to) {
+  if constexpr (std::floating_point<Time>) {
+    return to - from;
+  } else {
+    typename Time::rep difference{};
+    if (__builtin_sub_overflow(to.count(), from.count(), &difference)) [[unlikely]] {
+      return difference < 0 ? (Time::max)() : (Time::min)();  // it has wrapped around
+    }
+    return Time(difference);
+  }
+}
+
+/// to − from in the units of Time (seconds, or ticks of an integer duration): taken in the type of Time, or in Real
+/// where that holds more digits, and so rounded once. Requires that Time holds the difference.
+template <typename Real, TimePoint Time>
+[[nodiscard]] inline Real units_between(Time from, Time to) {
+  if constexpr (!std::floating_point<Time>) {
+    return static_cast<Real>((to - from).count());
+  } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
+    return static_cast<Real>(to) - static_cast<Real>(from);
+  } else {
+    return static_cast<Real>(to - from);
+  }
+}
+
+namespace detail {
+template <TimePoint Time>
+inline constexpr int time_bits = std::numeric_limits<typename Time::rep>::digits + 1;
+
+template <TimePoint Time, typename... Parts>
+[[noreturn]] void refuse_time(const Parts&... parts) {
+  refuse<std::out_of_range>("time: ", parts..., " does not fit into ", time_bits<Time>, " bits of ticks of ",
+                            to_seconds<double>(Time(1)), " s");
+}
+}  // namespace detail
+
+/// Throws std::invalid_argument, which begins with `whose` and names `what` (plural), unless Time holds last − first,
+/// and with it all differences of times from first to last. Requires first <= last.
+template <TimePoint Time>
+void check_span(std::string_view whose, std::string_view what, Time first, Time last) {
+  if constexpr (std::floating_point<Time>) {
+    if (last - first <= (std::numeric_limits<Time>::max)()) return;
+    refuse<std::invalid_argument>(whose, ": ", what, " from ", first, " to ", last,
+                                  " span more seconds than their type of time holds");
+  } else {
+    if (first >= Time::zero() || last <= (Time::max)() + first) return;
+    refuse<std::invalid_argument>(whose, ": ", what, " from ", printable(first), " to ", printable(last),
+                                  " span more ticks than ", detail::time_bits<Time>, " bits count");
+  }
+}
+
+/// `duration`, s, as the nearest number of ticks. Throws std::out_of_range for NaN and for what Time does not hold.
+template <TimePoint Time, std::floating_point Seconds>
+  requires is_integer_duration<Time>
+[[nodiscard]] Time to_ticks(Seconds duration) {
+  using Ticks = std::chrono::duration<Seconds, typename Time::period>;
+  const Seconds ticks = Ticks(std::chrono::duration<Seconds>(duration)).count();
+  // 2^(bits − 1) − 1/2 is the first that rounds to an integer beyond; in Seconds of few digits it is 2^(bits − 1).
+  constexpr Seconds limit =
+      -static_cast<Seconds>((std::numeric_limits<typename Time::rep>::min)()) - Seconds(1) / Seconds(2);
+  if (!(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
+  return Time(static_cast<typename Time::rep>(std::llround(ticks)));
+}
+
+/// The time that is `elapsed` seconds after `start`, to the nearest tick. Throws std::out_of_range where an integer
+/// Time does not hold it.
+template <TimePoint Time>
+[[nodiscard]] Time after(Time start, double elapsed) {
+  if constexpr (std::floating_point<Time>) {
+    return start + static_cast<Time>(elapsed);
+  } else {
+    typename Time::rep sum{};
+    if (__builtin_add_overflow(start.count(), to_ticks<Time>(elapsed).count(), &sum)) {
+      detail::refuse_time<Time>(elapsed, " s after ", printable(start));
+    }
+    return Time(sum);
+  }
+}
+
+/// The time right after t: the next number, or the next tick. The last time of all is its own next.
+template <TimePoint Time>
+[[nodiscard]] Time next_time(Time t) {
+  if constexpr (std::floating_point<Time>) {
+    return std::nextafter(t, (std::numeric_limits<Time>::max)());
+  } else {
+    return t < (Time::max)() ? t + Time(1) : t;
+  }
+}
+
+/// The same time as another type: to the nearest tick from seconds, towards zero from finer ticks. Seconds since an
+/// epoch of today are good to a quarter of a microsecond as double. Throws std::out_of_range where Time does not hold
+/// it.
+template <TimePoint Time, TimePoint From>
+[[nodiscard]] Time as_time(From t) {
+  if constexpr (std::same_as<Time, From>) {
+    return t;
+  } else if constexpr (std::floating_point<Time>) {
+    return to_seconds<Time>(t);
+  } else if constexpr (std::floating_point<From>) {
+    return to_ticks<Time>(t);
+  } else {
+    using Factor = std::ratio_divide<typename From::period, typename Time::period>;
+    std::intmax_t scaled{};
+    typename Time::rep ticks{};
+    if (__builtin_mul_overflow(t.count(), Factor::num, &scaled) ||
+        __builtin_add_overflow(scaled / Factor::den, 0, &ticks)) {
+      detail::refuse_time<Time>(to_seconds<double>(t), " s");
+    }
+    return Time(ticks);
+  }
+}
+
+/// The same time in nanoseconds, as files of the field keep it; seconds are rounded to the nearest. Throws
+/// std::out_of_range beyond 292 years, which is what 64 bits hold.
+template <TimePoint Time>
+[[nodiscard]] std::chrono::nanoseconds to_nanoseconds(Time t) {
+  return as_time<std::chrono::nanoseconds>(t);
 }
 
 }  // namespace splinertia

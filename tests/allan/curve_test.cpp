@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Real data: allan/stable32_phase_dat allan/stable32_pink
 #include <Eigen/Core>
 #include <cmath>
 #include <concepts>
@@ -52,11 +53,7 @@ void check_table(const IntegratedSignal<double>& signal, const std::string& file
 
 }  // namespace
 
-TEST_CASE("Curves of phases are those of Stable32") {
-  if (!has_stable32()) {
-    WARN("Skipped: no Stable32 tables in " << stable32_folder() << ", which is not in the repository.");
-    return;
-  }
+TEST_CASE("Curves of phases are those of Stable32", "[.real_data]") {
   const std::string folder = "stable32_phase_dat/";
   const auto phase = stable32_numbers(folder + "PHASE.DAT");
   REQUIRE(phase.size() == 1001);
@@ -74,11 +71,7 @@ TEST_CASE("Curves of phases are those of Stable32") {
   check_table<TotalDeviation>(signal, folder + "phase_dat_totdev_octave.txt");
 }
 
-TEST_CASE("Curves of rates are those of Stable32") {
-  if (!has_stable32()) {
-    WARN("Skipped: no Stable32 tables in " << stable32_folder() << ", which is not in the repository.");
-    return;
-  }
+TEST_CASE("Curves of rates are those of Stable32", "[.real_data]") {
   const std::string folder = "stable32_pink/";
   const auto rates = stable32_numbers(folder + "pink_frequency.txt");
   REQUIRE(rates.size() == 10'000);

@@ -133,7 +133,7 @@ TEST_CASE("From a perturbed start, the same maximum is found") {
       Result start = best;
       start.theta *= factor;
       start.times.correlation *= time_factor;
-      const Result found = log.likelihood.near(white_and_bias, start);
+      const Result found = log.likelihood.maximum_near(white_and_bias, start);
       INFO(factor << " times the power, " << time_factor << " times the time");
       CHECK_THAT(found.objective, WithinAbs(best.objective, 2e-3));
       CHECK_THAT(found.times.correlation, WithinRel(best.times.correlation, 0.03));
@@ -146,9 +146,9 @@ TEST_CASE("A start without a term leads to the model with it") {
   const Result white = log.likelihood.maximise({NoiseTerm::white});
   const Result best = log.likelihood.maximise(white_and_bias);
   // Two parabolas end within a tenth of a standard error of the time: 0.1² in −2·log-likelihood.
-  CHECK_THAT(log.likelihood.near(white_and_bias, white).objective, WithinAbs(best.objective, 1e-2));
+  CHECK_THAT(log.likelihood.maximum_near(white_and_bias, white).objective, WithinAbs(best.objective, 1e-2));
   // And a start with another term to the model without it.
-  CHECK_THAT(log.likelihood.near({NoiseTerm::white}, best).objective, WithinAbs(white.objective, 1e-6));
+  CHECK_THAT(log.likelihood.maximum_near({NoiseTerm::white}, best).objective, WithinAbs(white.objective, 1e-6));
 }
 
 TEST_CASE("A coefficient that is held stays") {
@@ -157,16 +157,17 @@ TEST_CASE("A coefficient that is held stays") {
   const int white = Fit::place(NoiseTerm::white), bias = Fit::place(NoiseTerm::gauss_markov);
   for (const double factor : {0.0, 0.5, 1.0, 3.0}) {
     const double theta = best.theta[white] * factor;
-    const Result held = log.likelihood.near(white_and_bias, best, [theta](const Likelihood::Times&) {
+    const Result held = log.likelihood.maximum_near(white_and_bias, best, [theta](const Likelihood::Times&) {
       return std::optional<Likelihood::Fixed>({NoiseTerm::white, theta});
     });
     CHECK(held.theta[white] == theta);
     CHECK(held.objective >= best.objective - 1e-3);
     // A standard deviation that is held: θ times the time.
     const double square = best.theta[bias] * best.times.correlation * factor;
-    const Result deviation = log.likelihood.near(white_and_bias, best, [square](const Likelihood::Times& times) {
-      return std::optional<Likelihood::Fixed>({NoiseTerm::gauss_markov, square / times.correlation});
-    });
+    const Result deviation =
+        log.likelihood.maximum_near(white_and_bias, best, [square](const Likelihood::Times& times) {
+          return std::optional<Likelihood::Fixed>({NoiseTerm::gauss_markov, square / times.correlation});
+        });
     CHECK_THAT(deviation.theta[bias] * deviation.times.correlation, WithinRel(square, 1e-12));
     CHECK(deviation.objective >= best.objective - 1e-3);
     if (factor == 1) {

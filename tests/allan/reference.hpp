@@ -141,7 +141,6 @@ struct Stable32Row {
 };
 
 [[nodiscard]] inline std::string stable32_folder() { return SPLINERTIA_SHARED_DATA_DIR "/allan/"; }
-[[nodiscard]] inline bool has_stable32() { return static_cast<bool>(std::ifstream(SPLINERTIA_SHARED_DATA_DIR "/allan/README.md")); }
 
 /// The lines of a file there but its comments, one number or row each.
 [[nodiscard]] inline std::vector<std::string> stable32_lines(const std::string& file) {

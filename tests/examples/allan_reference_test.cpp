@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Real data: allan/nbs1000_exact.csv allan/stable32_phase_dat allan/stable32_pink
 // `allan deviation` against what others have computed: the values that NIST SP 1065 publishes, and where the data is at
 // hand (SPLINERTIA_SHARED_DATA_DIR/allan) tables of Stable32.
 #include <array>
@@ -186,8 +187,7 @@ TEST_CASE("a thousand numbers of NIST SP 1065, table 31") {
                   3e-7);  // half a unit of the last digit of 1.687202e-01
 }
 
-TEST_CASE("the thousand numbers in exact arithmetic") {
-  if (!std::filesystem::exists(shared)) SKIP("no folder " << shared.string());
+TEST_CASE("the thousand numbers in exact arithmetic", "[.real_data]") {
   const TemporaryDirectory folder;
   const auto data = folder.write("data.txt", thousand_numbers());
   double worst = 0;
@@ -213,8 +213,7 @@ TEST_CASE("the thousand numbers in exact arithmetic") {
   std::printf("%-45s %3d deviations within %.1e\n", "nbs1000_exact.csv", values, worst);
 }
 
-TEST_CASE("tables of Stable32") {
-  if (!std::filesystem::exists(shared)) SKIP("no folder " << shared.string());
+TEST_CASE("tables of Stable32", "[.real_data]") {
   for (const std::string type : {"adev", "hdev", "mdev", "oadev", "ohdev", "tdev", "totdev"}) {
     check_stable32("stable32_phase_dat/phase_dat_" + type + "_octave.txt", type, "stable32_phase_dat/PHASE.DAT",
                    "--phase-data --rate 1");

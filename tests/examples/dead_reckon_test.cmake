@@ -1,5 +1,5 @@
-# Runs dead_reckon on what simulate_imu, which lies beside it, has written, on real data where that is at hand, and on
-# everything that it must refuse.
+# Runs dead_reckon on what simulate_imu, which lies beside it, has written, and on everything
+# that it must refuse.
 cmake_minimum_required(VERSION 3.22)
 set(out "${WORK_DIR}/out")
 file(REMOVE_RECURSE "${out}")
@@ -16,27 +16,7 @@ function(simulate folder)
   endif()
 endfunction()
 
-# figures(<line>): a line of the table of the last run, as window, runs, skipped, gaps, position_median, position_90,
-# position_max, attitude_median, attitude_90, attitude_max.
-macro(figures line)
-  file(STRINGS "${out}/table.csv" table)
-  list(GET table ${line} row)
-  string(REPLACE "," ";" row "${row}")
-  foreach(name IN ITEMS window runs skipped gaps position_median position_90 position_max attitude_median attitude_90 attitude_max)
-    list(POP_FRONT row ${name})
-  endforeach()
-endmacro()
-function(expect)   # a condition
-  if(NOT (${ARGN}))
-    list(JOIN ARGN " " text)
-    list(JOIN table "\n" table)
-    message(FATAL_ERROR "dead_reckon: expected ${text} in line ${line} of\n${table}")
-  endif()
-endfunction()
-macro(reckon pattern)
-  run(0 "${pattern}" ${ARGN} --csv "${out}/table.csv")
-  figures(1)
-endmacro()
+include("${CMAKE_CURRENT_LIST_DIR}/dead_reckon_steps.cmake")
 
 # An ideal IMU on the ellipse, 20 s at 200 Hz: what is left is the scheme's.
 simulate(ideal --preset ideal)
@@ -248,14 +228,3 @@ without("${out}/ideal/groundtruth.csv" "^4" "${out}/broken.csv")
 file(APPEND "${out}/broken.csv" "30000000000,0,0,0,1,0,0,0,0,0,0,0,0,0,0,0,x\n")
 refuse("broken.csv:[0-9]+: \"x\" is .*baz in column 17" "${out}/ideal/imu.csv" "${out}/broken.csv")
 run(2 "no/table.csv: .*No such file" ${ideal} --csv "${out}/no/table.csv")
-
-# A real IMU, an ADIS16448 in the machine hall.
-set(real "${SHARED_DATA_DIR}/euroc_MH_05_pair")
-if(EXISTS "${real}/imu0.txt" AND EXISTS "${real}/gt.csv")
-  reckon("22721 samples over 113.6 s\n.*22212 states over 111.055 s" "${real}/imu0.txt" "${real}/gt.csv" --windows 1 5)
-  expect(runs EQUAL 111 AND position_median GREATER 0.01 AND position_median LESS_EQUAL 0.03)
-  figures(2)
-  expect(runs EQUAL 22 AND position_median GREATER 0.1 AND position_median LESS_EQUAL 0.30)
-else()
-  message("skipped: real data, because there is no folder ${real}")
-endif()

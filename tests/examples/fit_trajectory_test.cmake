@@ -1,5 +1,5 @@
-# Runs fit_trajectory on what simulate_imu, which lies beside it, has written, on real data where that is at hand, and on
-# everything that it must refuse.
+# Runs fit_trajectory on what simulate_imu, which lies beside it, has written, and on everything
+# that it must refuse.
 cmake_minimum_required(VERSION 3.22)
 set(out "${WORK_DIR}/out")
 file(REMOVE_RECURSE "${out}")
@@ -16,39 +16,7 @@ function(other program)
   endif()
   set(other_printed "${text}" PARENT_SCOPE)
 endfunction()
-macro(fit pattern)
-  run(0 "${pattern}" --output "${out}/fit" --no-plot ${ARGN})
-endmacro()
-function(expect)   # a condition
-  if(NOT (${ARGN}))
-    list(JOIN ARGN " " text)
-    message(FATAL_ERROR "fit_trajectory: expected ${text}; it printed\n${printed}")
-  endif()
-endfunction()
-# figures(<row>): of the table of residuals, as rms, max, inner_rms, inner_max.
-macro(figures row)
-  if(NOT printed MATCHES "\n${row} +([^ ]+) +([^ ]+) +([^ ]+) +([^ \n]+)\n")
-    message(FATAL_ERROR "fit_trajectory: no row ${row} in\n${printed}")
-  endif()
-  set(rms ${CMAKE_MATCH_1})
-  set(max ${CMAKE_MATCH_2})
-  set(inner_rms ${CMAKE_MATCH_3})
-  set(inner_max ${CMAKE_MATCH_4})
-endmacro()
-# between(<row> <low> <high>...): the three estimates of a row of the IMU, and that none has a larger deviation than <most>.
-function(between row most)
-  set(number "([-+0-9.e]+) [+]- ([-+0-9.e]+) +")
-  if(NOT printed MATCHES "\n  ${row} +${number}${number}${number}")
-    message(FATAL_ERROR "fit_trajectory: no estimates of ${row} in\n${printed}")
-  endif()
-  set(values ${CMAKE_MATCH_1} ${CMAKE_MATCH_3} ${CMAKE_MATCH_5})
-  set(deviations ${CMAKE_MATCH_2} ${CMAKE_MATCH_4} ${CMAKE_MATCH_6})
-  set(bounds ${ARGN})
-  foreach(value deviation IN ZIP_LISTS values deviations)
-    list(POP_FRONT bounds low high)
-    expect(value GREATER low AND value LESS high AND deviation GREATER 0 AND deviation LESS most)
-  endforeach()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/fit_trajectory_steps.cmake")
 function(expect_header file pattern)
   file(READ "${out}/fit/${file}" text LIMIT 2000)
   if(NOT text MATCHES "${pattern}")
@@ -243,6 +211,11 @@ fit("fitted together with the poses.*as given" ${with_imu} --fit-imu --estimate-
 between("gyroscope bias" 3e-4 ${gyro_bias})
 between("accelerometer bias" 4e-3 ${accel_bias})
 
+# A name adds no line to the report.
+file(COPY_FILE "${poses}" "${out}/a\nname.tum")
+fit("a.nname.tum: 4001 poses" "${out}/a\nname.tum" --knot-interval 0.05)
+expect_header(report.txt "^[^\n]*a.nname.tum: 4001 poses")
+
 # Python, in place of which a script stands.
 function(write_python text)
   file(WRITE "${out}/python" "#!/bin/sh\n${text}\n")
@@ -310,21 +283,4 @@ run(2 "smoothed.tum: exists and is not a regular file" "${poses}" --output "${ou
 file(GLOB left RELATIVE "${out}/blocked" "${out}/blocked/*")
 if(EXISTS "${refused}" OR NOT left STREQUAL "smoothed.tum")
   message(FATAL_ERROR "nothing should have been written, but there is ${left}")
-endif()
-
-# Real trajectories, one with the IMU that flew along.
-if(NOT EXISTS "${SHARED_DATA_DIR}")
-  message("skipped: real trajectories, because there is no folder ${SHARED_DATA_DIR}")
-  return()
-endif()
-fit("16702 poses over .*1674 control points.*converged.*holes: none" "${SHARED_DATA_DIR}/euroc_V1_02_medium_gt.csv" --knot-interval 0.05)
-figures("position .m.")
-expect(rms LESS 1e-4 AND max LESS 1e-3)
-fit("3000 poses over .*longest interval 0.1101 s.*converged.*" "${SHARED_DATA_DIR}/tum_freiburg1_xyz_gt.txt" --group se3 --knot-interval 0.05)
-figures("position .m.")
-expect(rms LESS 3e-4 AND max LESS 2e-3)
-if(EXISTS "${SHARED_DATA_DIR}/euroc_MH_05_pair")
-  fit("22212 poses over .*79.[0-9]+ - 79.[0-9]+ s .[0-9]+ poses, up to 0.03[0-9]* m.*imu0.txt: 22[0-9]+ of 22721 samples" "${SHARED_DATA_DIR}/euroc_MH_05_pair/gt.csv"
-    --imu "${SHARED_DATA_DIR}/euroc_MH_05_pair/imu0.txt" --knot-interval 0.05)
-  between("gyroscope bias" 1e-3 -0.0024 -0.0012 0.0203 0.0215 0.0763 0.0775)   # the file says -0.0018 0.0209 0.0769
 endif()

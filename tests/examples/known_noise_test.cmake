@@ -7,6 +7,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 run(0 "--duration" --help)
 run(2 "--duration" --duration -1)
 run(2 "--format" --format csv)
+run(2 "--seed: -1, expected a whole number" --seed -1)
 
 set(python python3)
 if(DEFINED ENV{SPLINERTIA_PYTHON})

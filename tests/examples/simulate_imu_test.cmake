@@ -231,6 +231,12 @@ if(NOT imu MATCHES "^[234][0-9][0-9][0-9][0-9][0-9][0-9]," OR NOT truth MATCHES 
   message(FATAL_ERROR "the first stamp should be about 3 ms late:\n${imu}\n${truth}")
 endif()
 
+# Stamps that jitter by a fifth of the interval and by two keep their order in the file.
+foreach(jitter IN ITEMS 1 10)
+  file(WRITE "${out}/jitter.yaml" "stamps: [stamp_jitter: ${jitter} ms]\n")
+  run(0 "12001 samples" --errors "${out}/jitter.yaml" --duration 60 --output "${out}/jitter")
+endforeach()
+
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
 function(refuse pattern)
@@ -286,6 +292,18 @@ if(left)
   message(FATAL_ERROR "a table that cannot be written left ${left}")
 endif()
 
+run(2 "imu.csv: is written twice, expected a path for each file" --duration 1 --output "${out}/same" --csv "${out}/same/imu.csv")
+
+# A disk that is full: nothing of the old set is lost.
+run(0 "wrote" --duration 1 --output "${out}/full")
+file(SHA256 "${out}/full/imu.csv" before)
+execute_process(COMMAND sh -c "ulimit -f 20; \"$@\"" sh "${PROGRAM}" --duration 5 --output "${out}/full"
+  RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE error)
+file(SHA256 "${out}/full/imu.csv" after)
+if(NOT (result EQUAL 1 AND error MATCHES "^simulate_imu: .*cannot write: File too large\n$" AND before STREQUAL after))
+  message(FATAL_ERROR "a full disk: exit code ${result}, expected 1 and the old files, printed ${error}")
+endif()
+
 # Error files that are none.
 function(refuse_errors pattern text)
   file(WRITE "${out}/errors.yaml" "${text}\n")
@@ -313,17 +331,11 @@ file(WRITE "${out}/kalibr_bad.yaml" "gyroscope_noise_density: 0.0001\ngyroscope_
 refuse("kalibr_bad.yaml:2: gyroscope_random_walk is 0, expected a number > 0" --kalibr "${out}/kalibr_bad.yaml")
 file(WRITE "${out}/kalibr_bad.yaml" "gyroscope_noise_density: 0.0001\n")
 refuse("kalibr_bad.yaml:1: no gyroscope_random_walk, expected one" --kalibr "${out}/kalibr_bad.yaml")
+file(READ "${out}/imu.yaml" kalibr)
+file(WRITE "${out}/twice.yaml" "${kalibr}update_rate: 100.0\n")
+refuse("twice.yaml:[0-9]+: update_rate is there twice, expected it once" --kalibr "${out}/twice.yaml")
 file(WRITE "${out}/no_noise.yaml" "model: none\n")
 refuse("no_noise.yaml:1: no noise of an IMU, expected the keys of Kalibr or OpenVINS .*, VINS .*, ORB-SLAM3 .*, GTSAM" --imu-noise "${out}/no_noise.yaml")
 refuse("vins.yaml:[0-9]+: no update_rate, expected one or --rate" --imu-noise "${out}/vins.yaml")
 refuse("--errors.*--imu-noise|--imu-noise.*--errors" --kalibr "${out}/imu.yaml" --errors "${out}/all.yaml")
 refuse("--preset" --preset imaginary)
-
-# Real trajectories.
-if(EXISTS "${SHARED_DATA_DIR}")
-  run(0 "16702 poses over 83.50499[0-9]* s.*ideal  Midpoint" "${SHARED_DATA_DIR}/euroc_V1_02_medium_gt.csv" --output "${out}/V1_02")
-  run(0 "3000 poses over 30.0896[0-9]* s .*, longest interval 0.1101 s.*ideal  Midpoint" "${SHARED_DATA_DIR}/tum_freiburg1_xyz_gt.txt"
-    --output "${out}/freiburg1_xyz" --group se3)
-else()
-  message("skipped: real trajectories, because there is no folder ${SHARED_DATA_DIR}")
-endif()

@@ -3,9 +3,10 @@
 #include <splinertia/group/stumpff.hpp>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 

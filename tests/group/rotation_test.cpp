@@ -68,6 +68,50 @@ TEMPLATE_TEST_CASE("log does not depend on the length of the quaternion", "[grou
   }
 }
 
+TEMPLATE_TEST_CASE("log of quaternions of every finite length", "[group]", float, double, long double) {
+  using Scalar = TestType;
+  using Limits = std::numeric_limits<Scalar>;
+  laws::Draws draw(25);
+  const auto log = [](const Quaternion<Scalar>& q, int exponent) {
+    const auto scaled = [&](Scalar x) { return std::ldexp(x, exponent); };
+    return rotation_log<Scalar>(Quaternion<Scalar>(scaled(q.w()), scaled(q.x()), scaled(q.y()), scaled(q.z())));
+  };
+  std::vector<Quaternion<Scalar>> rotations{{1, 0, 0, 0},
+                                            {0, 1, 0, 0},
+                                            {0, 0, 0, -1},
+                                            {Limits::epsilon(), 0, 1, 0},
+                                            {1, 0, Limits::epsilon(), 0},
+                                            {Scalar(0.5), Scalar(0.5), Scalar(-0.5), Scalar(0.5)}};
+  for (int i = 0; i < 20; ++i) rotations.push_back(random_rotation<Scalar>(draw));
+  for (const auto& q : rotations) {
+    const Vector3<Scalar> truth = log(q, 0);
+    // Powers of two change no digit, down to where the smallest component of the quaternion becomes subnormal.
+    for (int exponent = Limits::min_exponent + 2 * Limits::digits; exponent < Limits::max_exponent; ++exponent) {
+      INFO(exponent);
+      REQUIRE((log(q, exponent) - truth).norm() <= 2 * Limits::epsilon() * truth.norm());
+    }
+  }
+  for (const Scalar tiny : {Limits::denorm_min(), Limits::min()}) {
+    CHECK(rotation_log<Scalar>({tiny, 0, 0, 0}) == Vector3<Scalar>::Zero());
+    CHECK(rotation_log<Scalar>({0, tiny, 0, 0}) == Vector3<Scalar>(pi<Scalar>, 0, 0));
+    const Scalar quarter = rotation_log<Scalar>({tiny, 0, -tiny, 0}).y();
+    CHECK(std::abs(quarter + pi<Scalar> / 2) <= 2 * Limits::epsilon());
+  }
+  const Scalar most = Limits::max();
+  CHECK((rotation_log<Scalar>({most, most, most, most}).array() > 1).all());
+  CHECK((rotation_log<Scalar>({-most, most, most, most}).array() < -1).all());
+}
+
+TEMPLATE_TEST_CASE("log of a quaternion that is none is not a number", "[group]", float, double, long double) {
+  using Scalar = TestType;
+  using Limits = std::numeric_limits<Scalar>;
+  const auto is_nan = [](const Quaternion<Scalar>& q) { return rotation_log<Scalar>(q).array().isNaN().all(); };
+  CHECK(is_nan({0, 0, 0, 0}));
+  CHECK(is_nan({1, Limits::infinity(), 0, 0}));
+  CHECK(is_nan({0, Limits::quiet_NaN(), 1, 0}));
+  CHECK(is_nan({Limits::quiet_NaN(), 1, 0, 0}));
+}
+
 TEMPLATE_TEST_CASE("the increment of close rotations is exact to eps of itself", "[group]", float, double,
                    long double) {
   using Scalar = TestType;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/group/with_scalar.hpp>
 
-#include <catch2/catch.hpp>
 #include <concepts>
 #include <splinertia/group/pose.hpp>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 

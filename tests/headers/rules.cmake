@@ -1,5 +1,6 @@
 # What the house asks of its headers, checked in the text: a room includes only itself and rooms above it, nothing but
-# the standard library, Eigen and (in one place) Sophus, and a header is short enough to read in one sitting.
+# the standard library, Eigen and (in one place) Sophus, a header is short enough to read in one sitting, and macros
+# min and max (windows.h) do no harm.
 set(rooms group motion spline imu strapdown allan camera io adapters)   # from top to bottom; adapters may use all
 set(longest 300)
 
@@ -31,10 +32,22 @@ foreach(header IN LISTS headers)
     endif()
   endforeach()
   file(READ "${INCLUDE_DIR}/splinertia/${header}" text)
+  if(text MATCHES "(::|[.])(min|max)[(]")
+    list(APPEND faults "${header}: ${CMAKE_MATCH_0} is a macro of windows.h, (std::${CMAKE_MATCH_2})(…) is none")
+  endif()
   string(REGEX REPLACE "[^\n]" "" newlines "${text}")
   string(LENGTH "${newlines}" lines)
   if(lines GREATER longest)
     list(APPEND faults "${header}: ${lines} lines, ${longest} allowed")
+  endif()
+endforeach()
+
+# Tests include Catch2, whatever its version, through one header.
+file(GLOB_RECURSE tests "${CMAKE_CURRENT_LIST_DIR}/../*_test.cpp")
+foreach(test IN LISTS tests)
+  file(STRINGS "${test}" includes REGEX "^#include <catch2/")
+  if(includes)
+    list(APPEND faults "${test}: ${includes} should be \"support/catch.hpp\"")
   endif()
 endforeach()
 

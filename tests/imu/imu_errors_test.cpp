@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <concepts>
@@ -176,6 +177,48 @@ TEMPLATE_TEST_CASE("Stamps increase strictly, however much they jitter", "", dou
     }
     if (jitter == 1e-5) CHECK(std::abs(std::sqrt(squares / 5000) / jitter - 1) < 0.05);
   }
+}
+
+TEMPLATE_TEST_CASE("Stamps that jitter increase strictly in files, without a latency of their own", "", double,
+                   nanoseconds) {
+  constexpr int count = 20'000;
+  for (const double start : {-7.3, 0.0, 1.4e9}) {
+    for (const double rate : {50.0, 200.0, 8000.0}) {
+      for (const double ratio : {0.05, 0.2, 0.5, 1.0, 3.0}) {
+        CAPTURE(start, rate, ratio);
+        const double deviation = ratio / rate;
+        const Imu imu{ErrorModel{}, ErrorModel{},
+                      ErrorModel{ClockOffset{0.25}, StampJitter{deviation}, ClockDrift{-1e-4}, DroppedSamples{0.1}}};
+        const auto readings = readings_of(imu, count, rate, after(TestType(0), start));
+        double sum = 0, squares = 0;
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+          const auto& r = readings[i];
+          if (i > 0) REQUIRE(to_nanoseconds(r.time) > to_nanoseconds(readings[i - 1].time));
+          const double elapsed = to_seconds<double>(r.true_time - after(TestType(0), start));
+          const double off = (to_seconds<double>(r.time - r.true_time) - 0.25 + 1e-4 * elapsed) / deviation;
+          sum += off;
+          squares += off * off;
+        }
+        const auto n = static_cast<double>(readings.size());
+        const double independent = n / std::max(1.0, 2 * 16 * ratio * ratio);
+        CHECK(std::abs(sum / n) < 4 / std::sqrt(independent));
+        CHECK(std::abs(squares / n - 1) < 4 * std::sqrt(2 / independent));
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("What no jitter is made for keeps the order, too", "", double, nanoseconds) {
+  const Imu imu{ErrorModel{}, ErrorModel{}, ErrorModel{StampJitter{0.01}, StampJitter{0.01}, ClockDrift{-0.9}}};
+  const auto readings = readings_of(imu, 5000, 200, TestType(0));
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    REQUIRE(to_nanoseconds(readings[i].time) > to_nanoseconds(readings[i - 1].time));
+}
+
+TEST_CASE("A stamp beyond all numbers is refused") {
+  auto errors = errors_of(Imu{ErrorModel{}, ErrorModel{}, ErrorModel{ClockOffset{1e308}, ClockOffset{1e308}}});
+  decltype(errors)::Reading reading;
+  CHECK_THROWS_WITH(errors.apply(0, ideal, 0.1, reading), "ImuErrors: stamp is inf, expected a finite number");
 }
 
 TEST_CASE("Samples that are dropped leave those that arrive as they were") {

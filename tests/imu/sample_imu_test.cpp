@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/imu/sample_imu.hpp>
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/spline/spline.hpp>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 

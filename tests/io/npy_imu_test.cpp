@@ -63,6 +63,25 @@ TEST_CASE("samples read back to the same bits, written at once or one by one") {
   CHECK(content(folder / "stream.npy") == content(folder / "imu.npy"));
 }
 
+TEST_CASE("samples in seconds are written as the same in nanoseconds") {
+  const test::TemporaryDirectory folder;
+  struct InSeconds {
+    double time;
+    Eigen::Vector3d gyro, accel;
+  };
+  std::vector<InSeconds> in_seconds;
+  std::vector<EurocImu> written = samples(100);
+  for (EurocImu& sample : written) {
+    const double time = static_cast<double>(in_seconds.size()) * 0.005 - 0.1;
+    in_seconds.push_back({time, sample.gyro, sample.accel});
+    sample.time = to_nanoseconds(time);
+  }
+  write_npy_imu(folder / "imu.npy", in_seconds);
+  check_same(read_npy_imu(folder / "imu.npy"), written);
+  in_seconds.back().time = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(write_npy_imu(folder / "nan.npy", in_seconds), std::invalid_argument);
+}
+
 TEST_CASE("the file is what NumPy's format says, byte by byte") {
   const test::TemporaryDirectory folder;
   write_npy_imu(folder / "imu.npy", std::vector<EurocImu>{{nanoseconds{258}, {1, -2, 0.5}, {0, 3, -0.25}}});

@@ -74,16 +74,6 @@ TEST_CASE("what is no finite number has a problem") {
   CHECK(problem_of("-1e309") == "is out of the range of a double");
 }
 
-TEST_CASE("finite is seen in the bits") {
-  using Limits = std::numeric_limits<double>;
-  for (const double value : {0.0, -0.0, 1.0, Limits::max(), Limits::lowest(), Limits::denorm_min()}) {
-    CHECK(has_finite_bits(value));
-  }
-  for (const double value : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), -Limits::quiet_NaN()}) {
-    CHECK_FALSE(has_finite_bits(value));
-  }
-}
-
 TEST_CASE("a real number begins with a digit or point behind an optional minus sign") {
   const auto begins = [](std::string_view text) { return begins_as_real(text.data(), text.data() + text.size()); };
   for (const char* text : {"0", "9x", "-1", ".5", "-.5"}) CHECK(begins(text));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Real data: tum_freiburg1_xyz_gt.txt
 #include <filesystem>
 #include <limits>
 #include <span>
@@ -29,6 +30,20 @@ TEST_CASE("a trajectory reads back to the same bits") {
 
   write_tum(folder / "few.txt", std::span(poses).first(7));
   CHECK(read_tum(folder / "few.txt").size() == 7);
+}
+
+TEST_CASE("a trajectory in seconds is written as the same in nanoseconds") {
+  const test::TemporaryDirectory folder;
+  std::vector<Line> written;
+  std::vector<Stamped<SO3xR3<double>, double>> in_seconds;
+  for (const Line& pose : test::awkward_trajectory(50)) {
+    const double time = static_cast<double>(written.size()) * 0.005 - 0.1;
+    written.push_back({to_nanoseconds(time), pose.value});
+    in_seconds.push_back({time, pose.value});
+  }
+  write_tum(folder / "ns.txt", written);
+  write_tum(folder / "s.txt", in_seconds);
+  CHECK(content(folder / "s.txt") == content(folder / "ns.txt"));
 }
 
 TEST_CASE("the columns are t tx ty tz qx qy qz qw") {
@@ -79,12 +94,8 @@ TEST_CASE("nothing half-written") {
   CHECK_THROWS_AS(write_tum(folder / "missing/poses.txt", test::awkward_trajectory(10)), std::runtime_error);
 }
 
-TEST_CASE("the TUM benchmark's own file is read") {
+TEST_CASE("the TUM benchmark's own file is read", "[.real_data]") {
   const std::filesystem::path path = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "tum_freiburg1_xyz_gt.txt";
-  if (!std::filesystem::exists(path)) {
-    WARN("skipped, not there: " << path.string());
-    return;
-  }
   const auto poses = read_tum(path);
   REQUIRE(poses.size() == 3000);
   CHECK(poses.front().time == nanoseconds{1305031098665900000});

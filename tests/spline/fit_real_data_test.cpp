@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Real data: euroc_MH_05_pair/imu0.txt euroc_MH_05_pair/gt.csv euroc_V1_02_medium_gt.csv tum_freiburg1_xyz_gt.txt
 // fit() on trajectories that were measured, and its derivatives against an IMU that was measured beside one of them.
 #include <Eigen/Dense>
 #include <algorithm>
@@ -32,13 +33,6 @@ using Split = SO3xR3<double>;
 using Curve = Spline<Split, 4, UniformKnots<nanoseconds>>;
 
 const std::filesystem::path shared = SPLINERTIA_SHARED_DATA_DIR;
-
-/// Whether the file is there; if not, says so.
-bool there(const std::filesystem::path& path) {
-  if (std::filesystem::exists(path)) return true;
-  WARN("skipped, not there: " << path.string());
-  return false;
-}
 
 struct ImuRow {
   nanoseconds time;
@@ -130,16 +124,14 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("EuRoC MH_05: Huber's loss tells the jumps of the ground truth") {
+TEST_CASE("EuRoC MH_05: Huber's loss tells the jumps of the ground truth", "[.real_data]") {
   const auto path = shared / "euroc_MH_05_pair/gt.csv";
-  if (!there(path)) return;
   const Pair pair(path);
   pair.check_jumps("Huber", pair.fitted(RobustLoss::huber()));
 }
 
-TEST_CASE("EuRoC MH_05: Cauchy's tells them too, and the fit turns and accelerates as the IMU says") {
+TEST_CASE("EuRoC MH_05: Cauchy's tells them too, and the fit turns and accelerates as the IMU says", "[.real_data]") {
   const auto path = shared / "euroc_MH_05_pair/gt.csv", imu_path = shared / "euroc_MH_05_pair/imu0.txt";
-  if (!there(path) || !there(imu_path)) return;
   const Pair pair(path);
   const Fit<Curve> fitted = pair.fitted(RobustLoss::cauchy());
   pair.check_jumps("Cauchy", fitted);
@@ -190,10 +182,9 @@ Tangent<Split> noise_of(const std::vector<Stamped<Split>>& poses) {
   return (squares / (924 * static_cast<double>(poses.size() - 6))).cwiseSqrt();
 }
 
-TEST_CASE("Ground truth of motion capture is met to its noise") {
+TEST_CASE("Ground truth of motion capture is met to its noise", "[.real_data]") {
   const auto check = [](const char* file, double knot_interval, std::size_t gaps) {
     const auto path = shared / file;
-    if (!there(path)) return;
     const auto poses = read_trajectory(path).poses;
     const auto fitted = fit<Curve>(poses, {.knot_interval = knot_interval});
     CHECK(fitted.converged);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/spline/sample.hpp>
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <random>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;

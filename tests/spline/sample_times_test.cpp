@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/spline/sample_times.hpp>
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+
+#include "support/catch.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;

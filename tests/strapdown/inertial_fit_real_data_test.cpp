@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An IMU of EuRoC (MH_05) along its ground truth, where the data is at hand: SPLINERTIA_SHARED_DATA_DIR.
+// Real data: euroc_MH_05_pair/imu0.txt euroc_MH_05_pair/gt.csv
+// An IMU of EuRoC (MH_05) along its ground truth.
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -22,9 +23,8 @@ double tilt(const ImuCalibration<double>& calibration) {
 
 }  // namespace
 
-TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its trajectory") {
+TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its trajectory", "[.real_data]") {
   const auto folder = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair";
-  if (!exists(folder)) SKIP("no " << folder);
   const auto states = read_euroc_groundtruth(folder / "gt.csv");
   const auto samples = read_euroc_imu(folder / "imu0.txt");
   std::vector<Stamped<SO3xR3<double>>> poses;

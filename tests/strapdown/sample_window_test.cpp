@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <splinertia/strapdown/coning_sculling.hpp>
@@ -7,6 +8,7 @@
 #include <splinertia/strapdown/runge_kutta4.hpp>
 #include <splinertia/strapdown/sample_window.hpp>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -78,10 +80,8 @@ TEST_CASE("Steps follow each other and end at the last sample, for 0 to 10 sampl
     CHECK(steps_of<RotationCorrectedIncrements>(n).first == expected_steps(n, 1));
     CHECK(steps_of<TwoSampleIncrements>(n).second == expected_steps(n, 2));
     CHECK(steps_of<ThreeSampleIncrements>(n).second == expected_steps(n, 3));
-    if (n < 2 || n >= 4) {
-      CHECK(steps_of<Magnus4>(n).second == expected_steps(last, 1));
-      CHECK(steps_of<RungeKutta4DoubleStep>(n).second == expected_steps(last, 2));
-    }
+    CHECK(steps_of<Magnus4>(n).second == expected_steps(last, 1));
+    CHECK(steps_of<RungeKutta4DoubleStep>(n).second == expected_steps(last, 2));
   }
 }
 
@@ -96,16 +96,17 @@ TEST_CASE("A scheme is behind by what it looks ahead, until the end") {
   CHECK(steps_of<Magnus4>(3 + 1).first.size() == 2);
 }
 
-TEMPLATE_TEST_CASE("Fewer samples than a scheme looks at are refused", "", Magnus4, RungeKutta4DoubleStep) {
+TEMPLATE_TEST_CASE("Of fewer samples than a scheme looks at, the first stands in for what is missing", "", Magnus4,
+                   RungeKutta4DoubleStep) {
   for (int n = 2; n <= 3; ++n) {
-    Recorder<TestType> recorder;
-    for (int i = 0; i < n; ++i) recorder.push(i);
-    CHECK_THROWS_WITH(recorder.finish(), "integrate: " + std::to_string(n) +
-                                             " samples, expected at least 4, which is what the scheme looks at");
-    CHECK(recorder.steps.empty());
-    for (int i = n; i < 4; ++i) recorder.push(i);  // it can go on
-    recorder.finish();
-    CHECK(recorder.steps.back().second == 3);
+    SampleWindow<TestType, double, double> window(0);
+    const auto take = [&](const auto& samples, std::size_t from, double end) {
+      CHECK(samples[3].time == n - 1);
+      for (int i = 0; i < 4; ++i) CHECK(samples[static_cast<std::size_t>(i)].time == std::max(0, n - 4 + i));
+      CHECK(samples[from].time < end);
+    };
+    for (int i = 0; i < n; ++i) window.push(TimedImuSample<double, double>{double(i), {1, 2, 3}, {4, 5, 6}}, take);
+    window.finish(take);
   }
 }
 
@@ -187,4 +188,66 @@ TEST_CASE("A limit for gaps that is none is refused") {
   CHECK_THROWS_WITH(Window(0.0, {.longest = 0}), "integrate: the longest interval is 0 s, expected one > 0");
   CHECK_THROWS_AS(Window(0.0, {.longest = std::numeric_limits<double>::quiet_NaN()}), std::invalid_argument);
   CHECK_NOTHROW(Window(0.0, {.longest = std::numeric_limits<double>::infinity()}));
+}
+
+TEMPLATE_TEST_CASE("Readings that are not finite are refused, by index, stamp and value", "", Midpoint, Magnus4,
+                   RotationCorrectedIncrements, ThreeSampleIncrements) {
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  const auto at = [](double time, double rate, double force) {
+    if constexpr (TestType::takes_increments) {
+      return TimedImuIncrement<double, double>{time, {0, rate, 0}, {0, 0, force}};
+    } else {
+      return TimedImuSample<double, double>{time, {0, rate, 0}, {0, 0, force}};
+    }
+  };
+  SampleWindow<TestType, double, double> window(0);
+  int steps = 0;
+  const auto take = [&](const auto& samples, std::size_t, double) {
+    for (const auto& sample : samples) {
+      if constexpr (!TestType::takes_increments) CHECK(sample.accel.allFinite());
+    }
+    ++steps;
+  };
+  const std::string names[2] = {TestType::takes_increments ? "delta_angle" : "gyro",
+                                TestType::takes_increments ? "delta_velocity" : "accel"};
+  for (int i = 0; i < 9; ++i) {
+    const double t = TestType::takes_increments ? i + 1 : i;
+    const std::string sample = "integrate: sample " + std::to_string(i) + " at " + std::to_string(int(t)) + " has ";
+    CHECK_THROWS_WITH(window.push(at(t, nan, 0), take), sample + names[0] + "[1] = nan, expected a finite number");
+    CHECK_THROWS_WITH(window.push(at(t, 0, -infinity), take),
+                      sample + names[1] + "[2] = -inf, expected a finite number");
+    CHECK_THROWS_AS(window.push(at(t, infinity, -infinity), take), std::invalid_argument);
+    window.push(at(t, 1.7e308, 1.7e308), take);  // their sum is infinite, they are not
+    CHECK(window.last() == t);
+  }
+  window.finish(take);
+  CHECK(steps == 9 / static_cast<int>(TestType::stride) - (TestType::takes_increments ? 0 : 1));
+}
+
+TEMPLATE_TEST_CASE("Integer stamps as far apart as they can be are refused without overflow", "", Midpoint, Magnus4,
+                   RotationCorrectedIncrements) {
+  using std::chrono::nanoseconds;
+  const auto at = [](nanoseconds time) {
+    if constexpr (TestType::takes_increments) {
+      return TimedImuIncrement<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
+    } else {
+      return TimedImuSample<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
+    }
+  };
+  const auto ignore = [](const auto&, std::size_t, nanoseconds) {};
+  const double infinity = std::numeric_limits<double>::infinity();
+  SampleWindow<TestType, double, nanoseconds> window(nanoseconds::min(), {.longest = infinity});
+  if (!TestType::takes_increments) window.push(at(nanoseconds::min()), ignore);
+  CHECK_THROWS_WITH(window.push(at(nanoseconds::max()), ignore),
+                    Catch::Contains("their difference does not fit the type of time"));
+  CHECK_THROWS_AS(window.push(at(nanoseconds(1)), ignore), std::invalid_argument);
+  window.push(at(nanoseconds::min() + nanoseconds::max() / 4), ignore);  // 73 years later
+  CHECK_THROWS_WITH(window.push(at(nanoseconds::min()), ignore), Catch::Contains("expected a time after"));
+  window.push(at(nanoseconds::min() + nanoseconds::max() / 2), ignore);
+  window.finish(ignore);
+
+  SampleWindow<TestType, double, nanoseconds> backwards(nanoseconds::max());
+  if (!TestType::takes_increments) backwards.push(at(nanoseconds::max()), ignore);
+  CHECK_THROWS_WITH(backwards.push(at(nanoseconds::min() + nanoseconds(2)), ignore),
+                    Catch::Contains("expected a time after"));
 }

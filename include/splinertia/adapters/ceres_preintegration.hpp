@@ -30,7 +30,7 @@ namespace splinertia {
   // Units aside: P = D C D with ones on the diagonal of C = L Lᵀ.
   Eigen::Matrix<double, 15, 1> d;
   for (Eigen::Index i = 0; i < 15; ++i) {
-    if (!(P(i, i) > 0 && P(i, i) <= std::numeric_limits<double>::max())) singular(i, "has no variance");
+    if (!(P(i, i) > 0 && P(i, i) <= (std::numeric_limits<double>::max)())) singular(i, "has no variance");
     d[i] = 1 / std::sqrt(P(i, i));
   }
   const Matrix15 C = d.asDiagonal() * P * d.asDiagonal();

@@ -34,13 +34,13 @@ class CeresResidual : public ceres::CostFunction {
   using Points = std::array<G, static_cast<std::size_t>(Order)>;
   using Span = std::span<const G, static_cast<std::size_t>(Order)>;
 
-  template <std::size_t I>
-  using Part = std::remove_cvref_t<decltype(ControlPointParts<G>::template part<I>(std::declval<G&>()))>;
+  template <std::size_t Index>
+  using Part = std::remove_cvref_t<decltype(ControlPointParts<G>::template part<Index>(std::declval<G&>()))>;
 
   explicit CeresResidual(std::initializer_list<int> others) {
     set_num_residuals(M);
     auto& sizes = *mutable_parameter_block_sizes();
-    for_each_part<G>([&]<std::size_t I>() { sizes.insert(sizes.end(), Order, parameter_count<Part<I>>); });
+    for_each_part<G>([&]<std::size_t Index>() { sizes.insert(sizes.end(), Order, parameter_count<Part<Index>>); });
     sizes.insert(sizes.end(), others);
   }
 
@@ -48,12 +48,12 @@ class CeresResidual : public ceres::CostFunction {
   /// held constant have no place for one.
   static void write_jacobian(double** jacobians, std::size_t j, const G& x,
                              const Eigen::Matrix<double, M, DofOf<G>>& J) {
-    for_each_part<G>([&]<std::size_t I>() {
-      double* block = jacobians[I * static_cast<std::size_t>(Order) + j];
+    for_each_part<G>([&]<std::size_t Index>() {
+      double* block = jacobians[Index * static_cast<std::size_t>(Order) + j];
       if (block == nullptr) return;
-      Eigen::Map<CeresMatrix<M, parameter_count<Part<I>>>>{block} =
-          J.template middleCols<DofOf<Part<I>>>(ControlPointParts<G>::template offset<I>) *
-          ParameterLayout<Part<I>>::parameters_to_tangent(ControlPointParts<G>::template part<I>(x));
+      Eigen::Map<CeresMatrix<M, parameter_count<Part<Index>>>>{block} =
+          J.template middleCols<DofOf<Part<Index>>>(ControlPointParts<G>::template offset<Index>) *
+          ParameterLayout<Part<Index>>::parameters_to_tangent(ControlPointParts<G>::template part<Index>(x));
     });
   }
 

@@ -96,8 +96,9 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
   result.saturation = find_saturation(samples);
   // Blocks of a second.
   constexpr std::int64_t least_block = 20, most_block = 1'000'000'000;
-  const auto second = static_cast<double>(std::min(signal.rate(), static_cast<Scalar>(most_block)));
-  result.stillness = measure_stillness(samples, std::max(least_block, static_cast<std::int64_t>(std::llround(second))));
+  const auto second = static_cast<double>((std::min)(signal.rate(), static_cast<Scalar>(most_block)));
+  result.stillness =
+      measure_stillness(samples, (std::max)(least_block, static_cast<std::int64_t>(std::llround(second))));
   result.misfits = deviation_misfits(result.curve, result.noise);
   using enum NoiseTerm;
   if (!result.steps.empty() || !result.freezes.empty()) {

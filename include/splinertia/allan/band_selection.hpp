@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/fit_bands.hpp>
@@ -28,10 +29,11 @@ class BandSelection {
   /// What chance does at most once in a thousand logs: there are some 5000 windows.
   static constexpr Scalar most_off = Scalar(21) / 4;
 
-  BandSelection(const Spectrum& spectrum, Scalar highest, const std::vector<Interval<Scalar>>& excluded)
-      : spectrum_(spectrum), included_(spectrum.bins().size(), true), misfits_(spectrum.bins().size(), false) {
+  BandSelection(std::reference_wrapper<const Spectrum> spectrum, Scalar highest,
+                const std::vector<Interval<Scalar>>& excluded)
+      : spectrum_(spectrum), included_(spectrum_.bins().size(), true), misfits_(spectrum_.bins().size(), false) {
     for (std::size_t i = 0; i < included_.size(); ++i) {
-      const Scalar frequency = spectrum.bins()[i].frequency;
+      const Scalar frequency = spectrum_.bins()[i].frequency;
       if (frequency > highest) included_[i] = false;
       for (const auto& band : excluded) {
         if (band.lower <= frequency && frequency <= band.upper) included_[i] = false;
@@ -57,7 +59,7 @@ class BandSelection {
       const Fit fit(spectrum_, included_, most_count);
       if (fit.groups() < 2 * static_cast<std::size_t>(Fit::powers)) return;
       const ModelLikelihood<Scalar> likelihood(fit);
-      last = last.slopes.empty() ? likelihood.maximise(terms) : likelihood.near(terms, last);
+      last = last.slopes.empty() ? likelihood.maximise(terms) : likelihood.maximum_near(terms, last);
       const Window window = FitBands<Scalar>(fit, last, trend, 6 * tolerance).worst(included_);
       if (std::abs(window.off) < most_off) break;
       mark(window.begin, window.end);
@@ -110,10 +112,10 @@ class BandSelection {
       while (5 * bins[begin].frequency < 4 * bins[i].frequency) ++begin;
       while (end < bins.size() && 4 * bins[end].frequency <= 5 * bins[i].frequency) ++end;
       if (end - begin < fewest) continue;
-      std::vector<Scalar> near(power.begin() + static_cast<std::ptrdiff_t>(begin),
-                               power.begin() + static_cast<std::ptrdiff_t>(end));
-      const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-      std::nth_element(near.begin(), middle, near.end());
+      std::vector<Scalar> nearby(power.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 power.begin() + static_cast<std::ptrdiff_t>(end));
+      const auto middle = nearby.begin() + static_cast<std::ptrdiff_t>(nearby.size() / 2);
+      std::nth_element(nearby.begin(), middle, nearby.end());
       // The median of a mean of squares is lower than their expectation by this, to first order in 1/count.
       const Scalar ratio = power[i] / *middle * (1 - 2 / (3 * bins[i].count));
       if (ratio > 2 && chi_square_deviation(ratio, bins[i].count) > most_deviations) mark(i, i + 1);
@@ -124,15 +126,15 @@ class BandSelection {
   [[nodiscard]] std::size_t skirt(std::size_t begin, std::size_t end) const {
     const auto& bins = spectrum_.bins();
     const auto density = [&](std::size_t i) { return bins[i].power / (bins[i].count * bins[i].basis[0]); };
-    const std::size_t before = begin > 0 ? begin - 1 : begin, behind = std::min(end, bins.size() - 1);
-    const Scalar level = std::max(std::min(density(before), density(behind)), Fit::floor());
+    const std::size_t before = begin > 0 ? begin - 1 : begin, behind = (std::min)(end, bins.size() - 1);
+    const Scalar level = (std::max)((std::min)(density(before), density(behind)), Fit::floor());
     Scalar excess = 0;
     for (std::size_t i = begin; i < end; ++i) excess += bins[i].count * (density(i) / level - 1);
     if (!(excess > 0)) return 0;
     const Scalar step = spectrum_.rate() / (2 * static_cast<Scalar>(spectrum_.samples()));
-    const Scalar width =
-        std::min(std::sqrt(50 * excess / static_cast<Scalar>(spectrum_.spectra())) / std::numbers::pi_v<Scalar> * step,
-                 bins[begin].frequency / 2);
+    const Scalar width = (std::min)(
+        std::sqrt(50 * excess / static_cast<Scalar>(spectrum_.spectra())) / std::numbers::pi_v<Scalar> * step,
+        bins[begin].frequency / 2);
     std::size_t last = end;
     while (last < bins.size() && bins[last].frequency < bins[end - 1].frequency + width) ++last;
     return last - end;
@@ -158,10 +160,10 @@ class BandSelection {
       runs.back().second = i + 1;
     }
     for (const auto& [begin, end] : runs) {
-      const std::size_t margin = std::max({std::size_t{1}, (end - begin) / 4, skirt(begin, end)});
+      const std::size_t margin = (std::max)({std::size_t{1}, (end - begin) / 4, skirt(begin, end)});
       const bool top = end + island >= included_.size();
-      const std::size_t below = top ? std::max(margin, octave) : margin;
-      const std::size_t last = top ? included_.size() : std::min(end + margin, included_.size());
+      const std::size_t below = top ? (std::max)(margin, octave) : margin;
+      const std::size_t last = top ? included_.size() : (std::min)(end + margin, included_.size());
       for (std::size_t i = begin > below ? begin - below : 0; i < last; ++i) included_[i] = false;
     }
   }

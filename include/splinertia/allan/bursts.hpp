@@ -51,7 +51,7 @@ namespace splinertia::detail {
 
 /// The mean of some intervals in a row, median over all such rows: neither holes nor bursts move it much.
 [[nodiscard]] inline double typical_mean(std::span<const double> intervals, std::size_t row) {
-  row = std::min(row, intervals.size());
+  row = (std::min)(row, intervals.size());
   std::vector<double> sums = sums_of_rows(intervals, row);
   return median_of(sums) / static_cast<double>(row);
 }
@@ -99,7 +99,7 @@ namespace splinertia::allan {
   bursts.samples = static_cast<double>(samples) / static_cast<double>(pauses_without_holes);
   bursts.rate = static_cast<double>(samples) / time;
   bursts.period = bursts.samples / bursts.rate;
-  bursts.missing = std::llround(std::min(in_holes * bursts.rate, 1e15));  // fits in 64 bits
+  bursts.missing = std::llround((std::min)(in_holes * bursts.rate, 1e15));  // fits in 64 bits
   return bursts;
 }
 

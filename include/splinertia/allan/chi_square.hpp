@@ -115,8 +115,8 @@ template <std::floating_point Scalar>
   const Scalar remainder = std::exp(-a * exponent) / (std::sqrt(two_pi * a) * scaled_gamma(a)) * sum;
   const Scalar argument = std::sqrt(a * exponent), half = Scalar(1) / 2;
   const Scalar sign = std::copysign(Scalar(1), mu);
-  return {std::max(Scalar(0), half * std::erfc(-sign * argument) - remainder),
-          std::max(Scalar(0), half * std::erfc(sign * argument) + remainder)};
+  return {(std::max)(Scalar(0), half * std::erfc(-sign * argument) - remainder),
+          (std::max)(Scalar(0), half * std::erfc(sign * argument) + remainder)};
 }
 
 /// P and Q of the incomplete gamma function for a, x > 0: Temme's expansion around x = a for large a, else the power
@@ -127,14 +127,14 @@ template <std::floating_point Scalar>
   const Scalar one = 1, mu = (x - a) / a;
   if (a >= Scalar(gamma_expansion_from) && std::abs(mu) < Scalar(0.4L)) return expanded_gamma_tails(a, mu);
   const Scalar factor = gamma_prefactor(a, x);
-  if (x < std::max(a, one)) {
+  if (x < (std::max)(a, one)) {
     Scalar sum = 1, term = 1;
     for (Scalar n = a + one; term > epsilon * sum / 4; n += one) sum += term *= x / n;
-    const Scalar lower = std::min(one, factor * sum);
+    const Scalar lower = (std::min)(one, factor * sum);
     return {lower, one - lower};
   }
   // Q = a factor/(x + 1 − a − 1 (1 − a)/(x + 3 − a − …)), by the modified Lentz algorithm.
-  constexpr Scalar tiny = std::numeric_limits<Scalar>::min() / epsilon;
+  constexpr Scalar tiny = (std::numeric_limits<Scalar>::min)() / epsilon;
   Scalar b = x + one - a, numerator = one / tiny, denominator = one / b, fraction = denominator, change = 0;
   for (Scalar n = one; std::abs(change - one) > epsilon && n < Scalar(1000); n += one) {
     const Scalar product = n * (a - n);
@@ -146,7 +146,7 @@ template <std::floating_point Scalar>
     denominator = one / denominator;
     fraction *= change = denominator * numerator;
   }
-  const Scalar upper = std::min(one, a * factor * fraction);
+  const Scalar upper = (std::min)(one, a * factor * fraction);
   return {one - upper, upper};
 }
 
@@ -165,9 +165,9 @@ template <std::floating_point Scalar>
   Scalar x = a * root * root * root;
   if (!upper_tail && (a < one || root < Scalar(0.5L)) && a < Scalar(gamma_expansion_from)) {
     x = std::exp((log_probability + std::log(std::tgamma(a + one))) / a);
-    if (x < std::numeric_limits<Scalar>::min()) return x;  // P is x^a/Γ(a + 1) to the last bit
+    if (x < (std::numeric_limits<Scalar>::min)()) return x;  // P is x^a/Γ(a + 1) to the last bit
   }
-  Scalar low = 0, high = std::numeric_limits<Scalar>::max();
+  Scalar low = 0, high = (std::numeric_limits<Scalar>::max)();
   if (!(x > low)) x = a / Scalar(4);
   for (int i = 0; i < 200; ++i) {
     const GammaTails<Scalar> tails = gamma_tails(a, x);
@@ -183,7 +183,7 @@ template <std::floating_point Scalar>
     const bool done = std::abs(next - x) <= Scalar(2) * std::numeric_limits<Scalar>::epsilon() * x;
     if (done) return next;
     if (!(next > low && next < high)) {
-      next = high < std::numeric_limits<Scalar>::max() ? low + (high - low) / Scalar(2) : Scalar(2) * x;
+      next = high < (std::numeric_limits<Scalar>::max)() ? low + (high - low) / Scalar(2) : Scalar(2) * x;
       if (next == low || next == high) return x;
     }
     x = next;
@@ -256,13 +256,13 @@ template <std::floating_point Scalar>
   const Wide a = Wide(degrees_of_freedom) / 2, tail = (Wide(1) - Wide(confidence)) / 2, s = Wide(deviation);
   const auto bound = [&](bool upper_tail) {
     const Wide quotient = gamma_quantile(a, tail, upper_tail) / a;
-    if (quotient >= std::numeric_limits<Wide>::min()) return s / std::sqrt(quotient);
+    if (quotient >= (std::numeric_limits<Wide>::min)()) return s / std::sqrt(quotient);
     // As in gamma_quantile, where the quantile underflows and its root does not. There a is below 1.
     return std::exp(std::log(s) - ((std::log(tail) + std::log(std::tgamma(a + 1))) / a - std::log(a)) / 2);
   };
   const auto narrow = [](Wide x) {
-    return x > Wide(std::numeric_limits<Scalar>::max()) ? std::numeric_limits<Scalar>::infinity()
-                                                        : static_cast<Scalar>(x);
+    return x > Wide((std::numeric_limits<Scalar>::max)()) ? std::numeric_limits<Scalar>::infinity()
+                                                          : static_cast<Scalar>(x);
   };
   return {narrow(bound(true)), narrow(bound(false))};
 }

@@ -18,7 +18,7 @@ namespace splinertia::allan {
 /// the median.
 template <typename Scalar>
 [[nodiscard]] Scalar chi_square_deviation(Scalar ratio, Scalar freedom) {
-  ratio = std::max(ratio, std::numeric_limits<Scalar>::min());
+  ratio = (std::max)(ratio, (std::numeric_limits<Scalar>::min)());
   const Scalar x = ratio - 1, scale = std::sqrt(freedom / 2);
   if (std::abs(x) < Scalar(1) / 16) {
     // Where x − ln(1 + x) = x²/2·(1 + t) cancels: t by its series, to 1e-15 of 1.

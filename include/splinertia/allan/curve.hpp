@@ -18,7 +18,7 @@
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_type.hpp>
 #include <splinertia/allan/total_degrees_of_freedom.hpp>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace splinertia::allan {
@@ -36,11 +36,11 @@ struct CurvePoint {
 
 template <typename Scalar>
 struct Curve {
-  std::string_view name;  ///< adev, oadev …
-  Scalar rate;            ///< Hz
-  std::int64_t samples;   ///< of the rate signal
-  Scalar mean;            ///< of the rate signal, in its unit
-  Scalar confidence;      ///< of the intervals
+  std::string name;      ///< adev, oadev …
+  Scalar rate;           ///< Hz
+  std::int64_t samples;  ///< of the rate signal
+  Scalar mean;           ///< of the rate signal, in its unit
+  Scalar confidence;     ///< of the intervals
   std::vector<CurvePoint<Scalar>> points;
 };
 
@@ -77,12 +77,12 @@ template <Deviation D, typename Scalar>
   const std::int64_t n = signal.samples();
   const auto factors = options.factors.up_to(D::largest_factor(n));
   const auto values = deviations<D>(signal, factors);
-  Curve<Scalar> result{D::name, signal.rate(), n, signal.mean(), options.confidence, {}};
+  Curve<Scalar> result{std::string(D::name), signal.rate(), n, signal.mean(), options.confidence, {}};
   result.points.reserve(factors.size());
   for (std::size_t j = 0; j < factors.size(); ++j) {
     const std::int64_t m = factors[j];
     const int alpha = options.alpha ? *options.alpha : noise_type(signal, m);
-    const int converging = options.alpha ? alpha : std::max(alpha, steepest_power_law<D>);
+    const int converging = options.alpha ? alpha : (std::max)(alpha, steepest_power_law<D>);
     const auto freedom = static_cast<Scalar>(degrees_of_freedom<D>(converging, m, n, options.phase_model));
     result.points.push_back({m, static_cast<Scalar>(m) / signal.rate(), D::terms(n, m), values[j], alpha, freedom,
                              deviation_interval(values[j], freedom, options.confidence)});

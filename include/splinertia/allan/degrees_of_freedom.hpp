@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <splinertia/require.hpp>
 
 namespace splinertia::allan {
@@ -145,7 +146,8 @@ class DifferenceCovariance {
 /// proportion to the distance from the multiples of m, where ρ has kinks and logarithmic peaks.
 class CorrelationSum {
  public:
-  CorrelationSum(const DifferenceCovariance& covariance, std::int64_t m, std::int64_t terms, std::int64_t stride)
+  CorrelationSum(std::reference_wrapper<const DifferenceCovariance> covariance, std::int64_t m, std::int64_t terms,
+                 std::int64_t stride)
       : covariance_(covariance),
         terms_(static_cast<double>(terms)),
         stride_(static_cast<double>(stride)),
@@ -153,11 +155,11 @@ class CorrelationSum {
 
   /// Of lags below `steps` steps of m samples.
   [[nodiscard]] double up_to(double steps) const {
-    const double last = std::min(terms_ - 1, std::floor(steps * lags_per_step_));
+    const double last = (std::min)(terms_ - 1, std::floor(steps * lags_per_step_));
     double sum = 0, left = 0;
     for (int j = 1; left < last; ++j) {
       const bool beyond = j > covariance_.order();
-      const double right = beyond ? last : std::min(last, std::round(j * lags_per_step_));
+      const double right = beyond ? last : (std::min)(last, std::round(j * lags_per_step_));
       sum += between(left, right);
       left = right;
     }
@@ -187,13 +189,13 @@ class CorrelationSum {
     }
     // ρ² is as smooth as t^(p − 1) ln t at its ends: only for p = 1 the intervals need to become that short there.
     const double shortest = covariance_.power() == 1 ? 0 : length / 256, middle = left + length / 2;
-    for (double near = window + 0.5, far = 0; left + near < middle; near = far) {
-      far = std::max(6 * near, shortest);
-      sum += quadrature(left + near, std::min(left + far, middle));
+    for (double nearby = window + 0.5, distant = 0; left + nearby < middle; nearby = distant) {
+      distant = (std::max)(6 * nearby, shortest);
+      sum += quadrature(left + nearby, (std::min)(left + distant, middle));
     }
-    for (double near = window - 0.5, far = 0; right - near > middle; near = far) {
-      far = std::max(6 * near, shortest);
-      sum += quadrature(std::max(right - far, middle), right - near);
+    for (double nearby = window - 0.5, distant = 0; right - nearby > middle; nearby = distant) {
+      distant = (std::max)(6 * nearby, shortest);
+      sum += quadrature((std::max)(right - distant, middle), right - nearby);
     }
     return sum;
   }
@@ -226,7 +228,7 @@ class CorrelationSum {
   require(m >= 1, "number_of_terms", "averaging factor m", m, "an integer >= 1");
   require(stride >= 1, "number_of_terms", "stride", stride, "an integer >= 1");
   const std::int64_t steps = shape.differences + (shape.modified ? 1 : 0);
-  const std::int64_t span = std::max(phase_points, std::int64_t(1)) - (shape.modified ? 0 : 1);
+  const std::int64_t span = (std::max)(phase_points, std::int64_t(1)) - (shape.modified ? 0 : 1);
   return phase_points < 1 || span / m < steps ? 0 : (span - steps * m) / stride + 1;
 }
 
@@ -248,7 +250,7 @@ class CorrelationSum {
   require(stride >= 1, name, "stride", stride, "an integer >= 1");
   const double lags_per_step = static_cast<double>(m) / static_cast<double>(stride);
   const bool averaged = model == PhaseModel::greenhall_riley && m <= 10000 &&
-                        std::min(static_cast<double>(terms), (shape.differences + 1) * lags_per_step) <= 100;
+                        (std::min)(static_cast<double>(terms), (shape.differences + 1) * lags_per_step) <= 100;
   const DifferenceCovariance covariance(shape, alpha, m, averaged);
   double sum = 0;
   if (covariance.power() == 0) {  // correlated only at multiples of m

@@ -93,7 +93,7 @@ template <typename Scalar>
   using Search = DriftSearch<Scalar>;
   constexpr std::size_t most_bins = 100;
   std::vector<std::size_t> used;
-  for (std::size_t i = 0; i < std::min(most_bins, spectrum.bins().size()); ++i) {
+  for (std::size_t i = 0; i < (std::min)(most_bins, spectrum.bins().size()); ++i) {
     if (included[i]) used.push_back(i);
   }
   DeterministicDrift<Scalar> all;

@@ -85,7 +85,7 @@ class DifferenceSpectrum {
     const Scalar per_sine = std::numbers::pi_v<Scalar> / (2 * static_cast<Scalar>(n));
     const Scalar ramp_scale = std::sqrt(2 / static_cast<Scalar>(n));
     for (std::size_t k = 1; k < n;) {
-      const std::size_t end = std::min(n, k + std::max<std::size_t>(1, k / 64));
+      const std::size_t end = (std::min)(n, k + std::max<std::size_t>(1, k / 64));
       Bin bin{};
       bin.count = static_cast<Scalar>(end - k);
       bin.frequency = static_cast<Scalar>(k + end - 1) * rate_ / (4 * static_cast<Scalar>(n));

@@ -56,15 +56,15 @@ template <int Order, std::size_t Factors, typename Scalar>
     const auto x0 = at(0);
     auto middle = at(m);
     for (std::size_t k = 0; k < Factors; ++k) {
-      const auto far = at(m << (k + 1));
-      auto difference = ((far - middle) - (middle - x0));
+      const auto distant = at(m << (k + 1));
+      auto difference = ((distant - middle) - (middle - x0));
       if constexpr (Order == 3) {
         const auto farthest = at(3 * m);
-        sums[k] += square(((farthest - far) - (far - middle)) - difference);
+        sums[k] += square(((farthest - distant) - (distant - middle)) - difference);
       } else {
         sums[k] += square(difference);
       }
-      middle = far;
+      middle = distant;
     }
   };
   std::int64_t i = begin;
@@ -98,14 +98,14 @@ template <int Order, typename Scalar>
       const auto run = [&]<std::size_t Factors>() {
         // Where the differences over the longest factor no longer fit, those over shorter ones go on.
         const std::int64_t reach = Order == 2 ? chain.first << Factors : Order * chain.first;
-        const std::int64_t end = std::min(tile_begin + tile, points - reach);
+        const std::int64_t end = (std::min)(tile_begin + tile, points - reach);
         if (Factors > chain.places.size() || begin >= end) return;
         const auto part = squared_differences<Order, Factors>(x.data(), chain.first, begin, end);
         for (std::size_t k = 0; k < Factors; ++k) sums[chain.places[k]].add(part[k]);
         begin = end;
       };
-      [&]<std::size_t... I>(std::index_sequence<I...>) {
-        (run.template operator()<longest - I>(), ...);
+      [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+        (run.template operator()<longest - Index>(), ...);
       }(std::make_index_sequence<longest>{});
     }
   }
@@ -136,7 +136,7 @@ template <typename Scalar>
   const std::int64_t run = std::max<std::int64_t>(1024, 8 * m);
   CompensatedSum<Scalar> sum;
   for (std::int64_t begin = 0; begin < terms; begin += run) {
-    const std::int64_t end = std::min(begin + run, terms);
+    const std::int64_t end = (std::min)(begin + run, terms);
     Scalar inner = 0;
     for (std::int64_t i = begin; i < begin + m; ++i) inner += (at(i + 2 * m) - at(i + m)) - (at(i + m) - at(i));
     Scalar squares = inner * inner;

@@ -48,9 +48,9 @@ template <std::floating_point Scalar>
   require(n >= Wide(3) && n <= Wide(std::int64_t{1} << 62), name, "duration", duration, "3 to 2^62 samples");
   // Of λ ~ sin² + corner². The shares are in units of 1/(1 + corner²) and corner²/(1 + corner²), so that neither
   // vanishes however large or small the corner is.
-  constexpr Wide smallest = std::numeric_limits<Wide>::min(), largest = std::numeric_limits<Wide>::max();
+  constexpr Wide smallest = (std::numeric_limits<Wide>::min)(), largest = (std::numeric_limits<Wide>::max)();
   const Wide corner = std::clamp(Wide(K) / Wide(N) / Wide(rate) / 2, smallest, largest);
-  const Wide larger = std::max(corner, Wide(1)), white_scale = 1 / (larger * larger),
+  const Wide larger = (std::max)(corner, Wide(1)), white_scale = 1 / (larger * larger),
              walk_scale = (corner / larger) * (corner / larger), scale = white_scale + walk_scale;
   const Wide per_sine = std::numbers::pi_v<Wide> / (2 * n);
   Wide white = 0, both = 0, walk = 0;
@@ -61,12 +61,12 @@ template <std::floating_point Scalar>
     both += count * white_share * walk_share;
     walk += count * walk_share * walk_share;
   };
-  const Wide alone = std::min(n - 1, Wide(128));
+  const Wide alone = (std::min)(n - 1, Wide(128));
   for (Wide k = 1; k <= alone; ++k) add(k, Wide(1));
   // Gauss's rule of two points, on intervals that grow in proportion to k as what is integrated varies in proportion.
   const Wide last = n - Wide(1) / 2, gauss = 1 / std::sqrt(Wide(3));
   for (Wide from = alone + Wide(1) / 2; from < last;) {
-    const Wide to = std::min(last, from + from / 16), half = (to - from) / 2, middle = from + half;
+    const Wide to = (std::min)(last, from + from / 16), half = (to - from) / 2, middle = from + half;
     add(middle - half * gauss, half);
     add(middle + half * gauss, half);
     from = to;

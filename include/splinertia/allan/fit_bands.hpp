@@ -112,7 +112,7 @@ class FitBands {
       const Scalar off = deviation(octave.fit.ratio * octave.count, octave.count, tolerance);
       sum += off * off;
     }
-    const Scalar freedom = std::max(static_cast<Scalar>(octaves.size()) - parameters, Scalar(1));
+    const Scalar freedom = (std::max)(static_cast<Scalar>(octaves.size()) - parameters, Scalar(1));
     return chi_square_upper_tail(sum, freedom);
   }
 

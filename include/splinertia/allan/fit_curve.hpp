@@ -16,7 +16,6 @@
 #include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
-#include <string>
 
 namespace splinertia::allan {
 
@@ -33,16 +32,16 @@ class CurveFit {
   using Vector = Eigen::Matrix<Scalar, size, 1>;
   using Matrix = Eigen::Matrix<Scalar, size, size>;
 
-  explicit CurveFit(const Curve<Scalar>& curve) : curve_(curve), unit_(0), longest_(0) {
+  explicit CurveFit(const Curve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
-      refuse<std::invalid_argument>("fit_curve: the curve is of ", std::string(curve.name), ", expected adev or oadev");
+      refuse<std::invalid_argument>("fit_curve: the curve is of ", curve.name, ", expected adev or oadev");
     }
     for (const auto& point : curve.points) {
       require_positive("fit_curve", "tau", point.tau);
       require_non_negative("fit_curve", "deviation", point.deviation);
       require_positive("fit_curve", "degrees of freedom", point.degrees_of_freedom);
-      unit_ = std::max(unit_, point.deviation);
-      longest_ = std::max(longest_, point.tau);
+      unit_ = (std::max)(unit_, point.deviation);
+      longest_ = (std::max)(longest_, point.tau);
     }
     if (curve.points.size() < 2 || !(unit_ > 0)) {
       refuse<std::invalid_argument>("fit_curve: ", curve.points.size(),
@@ -50,11 +49,13 @@ class CurveFit {
     }
     require_positive("fit_curve", "rate", curve.rate);
     const auto count = static_cast<Eigen::Index>(curve.points.size());
+    tau_.resize(count);
     basis_.resize(count, size);
     variance_.resize(count);
     freedom_.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto& point = curve.points[static_cast<std::size_t>(i)];
+      tau_[i] = point.tau;
       for (const NoiseTerm term : standard_terms) {
         basis_(i, static_cast<Eigen::Index>(term)) = allan_variance(term, point.tau);
       }
@@ -72,7 +73,7 @@ class CurveFit {
     constexpr int most_steps = 100;
     Result result;
     // The first weights are those of a model that goes through the data.
-    Column model = variance_.max(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
+    Column model = (variance_.max)(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
     Vector before = Vector::Zero();
     for (int i = 0; i < most_steps; ++i) {
       result.theta = solve(terms, model);
@@ -103,7 +104,7 @@ class CurveFit {
   using Square = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
   [[nodiscard]] Column expected(const Vector& theta) const {
-    return (basis_ * theta).array().max(std::numeric_limits<Scalar>::min());
+    return ((basis_ * theta).array().max)((std::numeric_limits<Scalar>::min)());
   }
 
   /// One step of least squares with the weights of a model.
@@ -148,8 +149,8 @@ class CurveFit {
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
-    const Scalar highest = curve_.rate / 2, lowest = 1 / (32 * longest_);
-    const int count = per_octave * std::max(1, 1 + static_cast<int>(std::log2(highest / lowest)));
+    const Scalar highest = rate_ / 2, lowest = 1 / (32 * longest_);
+    const int count = per_octave * (std::max)(1, 1 + static_cast<int>(std::log2(highest / lowest)));
     Square seen(basis_.rows(), count);
     for (int k = 0; k < count; ++k) {
       const Scalar f = highest * std::exp2(-static_cast<Scalar>(k) / per_octave);
@@ -158,21 +159,21 @@ class CurveFit {
       const Scalar spectrum =
           theta[0] + (theta[1] + theta[4] * longest_ * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
       for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
-        const Scalar x = pi * f * curve_.points[static_cast<std::size_t>(i)].tau;
+        const Scalar x = pi * f * tau_[i];
         const Scalar sine = std::sin(x);
         seen(i, k) = spectrum * std::sqrt(f) * (sine * sine / x) * (sine * sine / x);
       }
     }
-    const Column norms = seen.rowwise().norm().array().max(std::numeric_limits<Scalar>::min());
+    const Column norms = (seen.rowwise().norm().array().max)((std::numeric_limits<Scalar>::min)());
     const Square normalised = norms.inverse().matrix().asDiagonal() * seen;
     return normalised * normalised.transpose();
   }
 
-  const Curve<Scalar>& curve_;
+  Scalar rate_;  // Hz
   Scalar unit_;
   Scalar longest_;  // tau, s
   Rows basis_;
-  Column variance_, freedom_;
+  Column tau_, variance_, freedom_;
 };
 
 /// N, K, B, Q and R of a curve alone, where there is no signal for identify(): one that was read from a paper, or came

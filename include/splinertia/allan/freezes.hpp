@@ -63,7 +63,7 @@ template <Signal S>
   std::int64_t usual = 0, remaining = static_cast<std::int64_t>(lengths.size());
   for (const std::int64_t length : lengths) {
     const bool rare = count - remaining >= others_for_each * remaining;
-    if (rare && length >= std::max(shortest, factor * usual)) {
+    if (rare && length >= (std::max)(shortest, factor * usual)) {
       std::erase_if(runs, [&](const SampleSpan& run) { return run.size() < length; });
       return runs;
     }

@@ -53,7 +53,7 @@ struct GroupedSpectrum {
       }
       basis.row(g) = sum / count[g];
       frequency[g] = (bins[begin].frequency + bins[end - 1].frequency) / 2;
-      share[g] = std::min(Scalar(1), most_count * static_cast<Scalar>(end - begin) / count[g]);
+      share[g] = (std::min)(Scalar(1), most_count * static_cast<Scalar>(end - begin) / count[g]);
     }
     count *= share;
     power *= share;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -39,11 +38,11 @@ struct IdentifyOptions {
 template <typename Scalar>
 class Identification {
  public:
-  Identification(std::span<const DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
+  Identification(std::vector<DifferenceSpectrum<Scalar>> spectra, const IdentifyOptions<Scalar>& options)
       : options_(checked(options)),
-        spectra_(spectra),
-        spectrum_(spectra),
-        highest_(options.highest_frequency > 0 ? std::min(options.highest_frequency, spectrum_.rate() / 2)
+        spectra_(std::move(spectra)),
+        spectrum_(spectra_),
+        highest_(options.highest_frequency > 0 ? (std::min)(options.highest_frequency, spectrum_.rate() / 2)
                                                : spectrum_.rate() / 2),
         bands_(spectrum_, highest_, options.excluded) {
     require_enough();
@@ -62,6 +61,10 @@ class Identification {
     bands_.reset();
     select();
   }
+
+  // Its parts refer to one another.
+  Identification(const Identification&) = delete;
+  Identification& operator=(const Identification&) = delete;
 
   [[nodiscard]] NoiseEstimates<Scalar> estimates() const {
     NoiseEstimates<Scalar> result;
@@ -120,7 +123,7 @@ class Identification {
 
   /// Enough of a spectrum is left to say something.
   static constexpr std::size_t fewest = 64;
-  [[nodiscard]] bool enough() const { return bands_.count() >= std::min(fewest, spectrum_.bins().size()); }
+  [[nodiscard]] bool enough() const { return bands_.count() >= (std::min)(fewest, spectrum_.bins().size()); }
 
   /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
   /// does if that end is left out.
@@ -170,12 +173,12 @@ class Identification {
     if (best.terms.has(NoiseTerm::gauss_markov)) parameters += 1;
     if (best.terms.has(NoiseTerm::warm_up)) parameters += 1;
     if (parameters == 0) return Scalar(1);
-    return chi_square_upper_tail(std::max(together - apart, Scalar(0)),
+    return chi_square_upper_tail((std::max)(together - apart, Scalar(0)),
                                  parameters * static_cast<Scalar>(spectra_.size() - 1));
   }
 
   IdentifyOptions<Scalar> options_;
-  std::span<const DifferenceSpectrum<Scalar>> spectra_;
+  std::vector<DifferenceSpectrum<Scalar>> spectra_;
   PooledSpectrum<Scalar> spectrum_;
   Scalar highest_;
   BandSelection<Scalar> bands_;
@@ -194,8 +197,7 @@ class Identification {
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {
-  const std::array<DifferenceSpectrum<Scalar>, 1> spectrum{DifferenceSpectrum<Scalar>(signal)};
-  return Identification<Scalar>(spectrum, options).estimates();
+  return Identification<Scalar>({DifferenceSpectrum<Scalar>(signal)}, options).estimates();
 }
 
 /// Of a rate signal at `rate` samples a second.

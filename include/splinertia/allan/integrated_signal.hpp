@@ -76,7 +76,7 @@ class IntegratedSignal {
     Scalar largest = 0, i = 0;
     for (Scalar& x : result.sums_) {
       x = (x * scale - first) - i++ * step;
-      largest = std::max(largest, std::abs(x));
+      largest = (std::max)(largest, std::abs(x));
     }
     result.unit_ *= rate;
     require(is_finite(result.unit_), "Allan analysis", "rate", rate, "one at which the rates are representable");
@@ -112,7 +112,7 @@ class IntegratedSignal {
     sums_.reserve(zeros + n);
     sums_.assign(zeros, Scalar(0));
     sums_.insert(sums_.end(), std::begin(values), std::end(values));
-    constexpr Scalar most = std::numeric_limits<Scalar>::max();
+    constexpr Scalar most = (std::numeric_limits<Scalar>::max)();
     const auto magnitude = [y = sums_.data()](std::size_t i) {
       const Scalar size = std::abs(y[i]);
       return size <= most ? size : std::numeric_limits<Scalar>::infinity();
@@ -132,7 +132,7 @@ class IntegratedSignal {
     CompensatedSum<Scalar> sum;
     for (std::size_t begin = 0; begin < sums_.size(); begin += piece) {
       const auto value = [y = sums_.data() + begin, scale = per_unit_](std::size_t i) { return y[i] * scale; };
-      sum.add(reduce(std::min(piece, sums_.size() - begin), value, std::plus<Scalar>()));
+      sum.add(reduce((std::min)(piece, sums_.size() - begin), value, std::plus<Scalar>()));
     }
     return sum.value();
   }

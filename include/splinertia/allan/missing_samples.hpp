@@ -36,7 +36,7 @@ class GridSearch {
 
   /// The next sample, whose interval to the one before is `length` nominal ones.
   void add(std::int64_t interval, double length) {
-    position_ += std::min(length, longest) - 1;
+    position_ += (std::min)(length, longest) - 1;
     next_.clear();
     for (const Hypothesis& h : hypotheses_) {
       const double ahead = position_ - h.phase - static_cast<double>(h.missing);
@@ -76,7 +76,7 @@ class GridSearch {
 
  private:
   static constexpr std::ptrdiff_t survivors = 6;
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   static constexpr double longest = 1e9;   // interval: so that no sum of missing samples leaves 64 bits
   static constexpr double hopeless = 1e4;  // costs above those of the best
   static constexpr double price = 15;      // of a place with missing samples: once in e^15 samples by chance
@@ -101,7 +101,7 @@ class GridSearch {
     const double jitter = ahead - static_cast<double>(more);
     Hypothesis to = from;
     to.missing += more;
-    to.cost += weight_ * std::min(1.0, jitter * jitter) + (more > 0 ? price : 0);
+    to.cost += weight_ * (std::min)(1.0, jitter * jitter) + (more > 0 ? price : 0);
     const auto same = std::find_if(next_.begin(), next_.end(), [&](const auto& h) { return h.missing == to.missing; });
     if (same != next_.end() && same->cost <= to.cost) return;
     if (more > 0) {
@@ -110,7 +110,7 @@ class GridSearch {
     }
     to.phase += to.drift;
     if (std::abs(jitter) < trusted || samples_ < first_samples) {
-      const double gain = std::max(slowest, 1.0 / static_cast<double>(samples_ + 2));
+      const double gain = (std::max)(slowest, 1.0 / static_cast<double>(samples_ + 2));
       to.phase += gain * jitter;
       if (gain == slowest) to.drift += slowest * slowest / 4 * jitter;  // critically damped
     }

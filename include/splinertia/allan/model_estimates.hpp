@@ -22,8 +22,8 @@ namespace splinertia::allan {
 template <typename Scalar>
 class ModelEstimates {
  public:
-  ModelEstimates(const ModelSelection<Scalar>& selection, Scalar confidence, NoiseTerms candidates)
-      : selection_(selection), confidence_(confidence), candidates_(candidates) {}
+  ModelEstimates(std::reference_wrapper<const ModelSelection<Scalar>> all, Scalar confidence, NoiseTerms candidates)
+      : selection_(all), confidence_(confidence), candidates_(candidates) {}
 
   /// Descriptions and estimates of a result of which fits and excluded are known.
   void write_to(NoiseEstimates<Scalar>& result) const {
@@ -202,7 +202,7 @@ class ModelEstimates {
     const auto all = selection_.likelihood().fit().compare(best.result, has_trend(best.terms));
     std::size_t end = 0;
     while (end < all.size() && all[end].expected > all[end].white * 3 / 2) ++end;
-    return std::max(corner, end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0));
+    return (std::max)(corner, end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0));
   }
 
   /// Widens an estimate by what one description says; the first also says the value.
@@ -213,7 +213,7 @@ class ModelEstimates {
       if (whole.upper == 0) {
         whole = more;
       } else {
-        whole = {std::min(whole.lower, more.lower), std::max(whole.upper, more.upper)};
+        whole = {(std::min)(whole.lower, more.lower), (std::max)(whole.upper, more.upper)};
       }
     };
     const auto interval_at = [&](Scalar confidence) -> Interval<Scalar> {
@@ -258,7 +258,7 @@ class ModelEstimates {
     if (!terms.has(NoiseTerm::gauss_markov) && !terms.has(NoiseTerm::bias_instability) &&
         candidates_.has(NoiseTerm::random_walk)) {
       terms = terms.with(NoiseTerm::random_walk);
-      best = selection_.likelihood().near(terms, model.result);
+      best = selection_.likelihood().maximum_near(terms, model.result);
     }
     const Scalar centre = trend_size(model.result), count = static_cast<Scalar>(best.slopes.size());
     Scalar quantile = std::sqrt(chi_square_quantile(confidence, Scalar(1)));
@@ -268,11 +268,11 @@ class ModelEstimates {
       // their inverse (Abramowitz and Stegun, 26.7.5).
       const ProfileLikelihood<Scalar> profile(selection_.likelihood(), terms, best);
       const Scalar error =
-          std::min(profile.root(NoiseTerm::random_walk, one_sigma<Scalar>).upper / walk - 1, Scalar(1) / 2);
+          (std::min)(profile.root(NoiseTerm::random_walk, one_sigma<Scalar>).upper / walk - 1, Scalar(1) / 2);
       quantile *= 1 + (quantile * quantile + 1) * error * error / 2;
     }
     const Scalar half = quantile / std::sqrt(count) * best.slope_error;
-    return {trend_in_units(term, std::max(centre - half, Scalar(0)), model.result),
+    return {trend_in_units(term, (std::max)(centre - half, Scalar(0)), model.result),
             trend_in_units(term, centre + half, model.result)};
   }
 
@@ -287,7 +287,7 @@ class ModelEstimates {
       times.decay = decay;
       const Result at = likelihood.at(model.terms, times, model.result);
       const Scalar height = trend_in_units(NoiseTerm::warm_up, trend_size(at), at);
-      whole = {std::min(whole.lower, height), std::max(whole.upper, height)};
+      whole = {(std::min)(whole.lower, height), (std::max)(whole.upper, height)};
     }
     return whole;
   }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/spectral_fit.hpp>
+#include <splinertia/finite.hpp>
 
 namespace splinertia::allan {
 
@@ -21,19 +23,19 @@ class ModelLikelihood {
   using Times = typename Fit::Times;
   using Fixed = typename Fit::Fixed;
 
-  explicit ModelLikelihood(const Fit& fit) : fit_(fit) {
-    const auto& spectrum = fit.spectrum();
+  explicit ModelLikelihood(std::reference_wrapper<const Fit> fit) : fit_(fit) {
+    const auto& spectrum = fit_.spectrum();
     const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
     // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
-    correlation_ = {std::max(Scalar(32), samples / 10000) / rate, std::max(Scalar(64), samples / 4) / rate};
-    decay_ = {std::max(Scalar(32), samples / 200) / rate, std::max(Scalar(64), 8 * samples) / rate};
+    correlation_ = {(std::max)(Scalar(32), samples / 10000) / rate, (std::max)(Scalar(64), samples / 4) / rate};
+    decay_ = {(std::max)(Scalar(32), samples / 200) / rate, (std::max)(Scalar(64), 8 * samples) / rate};
   }
 
   /// From scratch, or as far as a model with fewer terms leads as well: more terms are never less likely.
   [[nodiscard]] Result maximise(NoiseTerms terms, const Result* simpler = nullptr) const {
     Result best = search(terms);
     if (simpler != nullptr) {
-      Result other = near(terms, *simpler);
+      Result other = maximum_near(terms, *simpler);
       if (other.objective < best.objective) best = std::move(other);
     }
     return best;
@@ -41,11 +43,11 @@ class ModelLikelihood {
 
   /// From one that is all but it. `fixed` gives what is held at some times (Fixed, or nothing).
   template <typename FixedAt>
-  [[nodiscard]] Result near(NoiseTerms terms, const Result& start, const FixedAt& fixed) const {
+  [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start, const FixedAt& fixed) const {
     const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
     Times times = start.times;
     if (!decaying) times.decay = infinity;
-    if (decaying && std::isinf(times.decay)) times.decay = decay_.upper;
+    if (decaying && !is_finite(times.decay)) times.decay = decay_.upper;
     if (correlated && !(times.correlation > 0)) times.correlation = correlation_.upper;
     Result best = fit_.maximise(terms, times, fixed(times), &start.theta);
     for (int round = 0; round < (correlated && decaying ? 2 : 1); ++round) {
@@ -55,8 +57,8 @@ class ModelLikelihood {
     return best;
   }
 
-  [[nodiscard]] Result near(NoiseTerms terms, const Result& start) const {
-    return near(terms, start, [](const Times&) { return std::optional<Fixed>(); });
+  [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start) const {
+    return maximum_near(terms, start, [](const Times&) { return std::optional<Fixed>(); });
   }
 
   /// The most likely model with these times.
@@ -86,7 +88,7 @@ class ModelLikelihood {
       }
       if (!decaying || decay * factor > decay_.upper) break;
     }
-    return near(terms, best);
+    return maximum_near(terms, best);
   }
 
   /// Moves one time to where the likelihood is largest: steps of a third until it falls, then a parabola through three.
@@ -100,7 +102,7 @@ class ModelLikelihood {
     };
     Scalar width = Scalar(4) / 3;
     Result shorter = at(best.times.*time / width), longer = at(best.times.*time * width);
-    for (int i = 0; i < 24 && std::min(shorter.objective, longer.objective) < best.objective; ++i) {
+    for (int i = 0; i < 24 && (std::min)(shorter.objective, longer.objective) < best.objective; ++i) {
       const bool up = longer.objective < shorter.objective;
       Result& behind = up ? shorter : longer;
       Result& ahead = up ? longer : shorter;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <splinertia/allan/deterministic_drift.hpp>
@@ -33,7 +34,8 @@ class ModelSelection {
     Scalar cost;
   };
 
-  ModelSelection(const SpectralFit<Scalar>& fit, NoiseTerms candidates) : likelihood_(fit), candidates_(candidates) {
+  ModelSelection(std::reference_wrapper<const SpectralFit<Scalar>> fit, NoiseTerms candidates)
+      : likelihood_(fit), candidates_(candidates) {
     using enum NoiseTerm;
     std::vector<NoiseTerms> sets;
     for (unsigned number = 1; number < NoiseTerms::sets; ++number) {
@@ -152,7 +154,7 @@ class ModelSelection {
     for (const auto& bin : fit.spectrum().bins()) {
       Scalar power = 0;
       for (const NoiseTerm term : {white, quantization}) power += bin.basis[Fit::place(term)] * theta[Fit::place(term)];
-      expected.push_back(std::max(power, Fit::floor()));
+      expected.push_back((std::max)(power, Fit::floor()));
     }
     auto drift = best_drift(fit.spectrum(), fit.included(), expected);
     const Scalar fast = price * static_cast<Scalar>(count(best.terms) - count(slow));
@@ -183,7 +185,7 @@ class ModelSelection {
       if (idle || (!candidates_.has(NoiseTerm::rate_ramp) && unsettled)) return;
     }
     const Scalar cost = result.objective + prices;
-    best_cost_ = models_.empty() ? cost : std::min(best_cost_, cost);
+    best_cost_ = models_.empty() ? cost : (std::min)(best_cost_, cost);
     models_.push_back({terms, std::move(result), cost});
   }
 

@@ -113,7 +113,7 @@ template <typename Scalar>
 [[nodiscard]] Scalar warm_up_allan_variance(const Scalar& tau, const Scalar& decay_time, const Scalar& duration) {
   const Scalar x = tau / decay_time, lost = -std::expm1(-x);
   const Scalar difference = lost * lost / x;
-  const Scalar places = 2 * std::max(duration - 2 * tau, Scalar(0)) / decay_time;
+  const Scalar places = 2 * (std::max)(duration - 2 * tau, Scalar(0)) / decay_time;
   const Scalar mean = places > 0 ? -std::expm1(-places) / places : Scalar(1);
   return difference * difference / 2 * mean;
 }

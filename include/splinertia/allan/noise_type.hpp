@@ -22,10 +22,10 @@ template <typename Scalar>
   if (!(lag0 > 0)) return -2 * d;  // averages that do not differ have no slope
   // The share (n − 1)/n is what Stable32 has: with it the alphas of its published tables come out alike.
   // No stationary noise has less than −1/2 after differencing what has to be; a beat of period 2 does.
-  const Scalar r1 = std::max(lag1 / lag0 * (n - 1) / n, Scalar(-1) / 2);
+  const Scalar r1 = (std::max)(lag1 / lag0 * (n - 1) / n, Scalar(-1) / 2);
   const Scalar delta = r1 / (1 + r1);
   if (delta >= Scalar(1) / 4 && d < most_differences) return std::nullopt;
-  return std::max(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift is steeper still
+  return (std::max)(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift is steeper still
 }
 
 /// Which power law f^alpha the spectrum of the averages over m samples looks like, from their autocorrelation at lag 1
@@ -45,8 +45,8 @@ template <typename Scalar>
 [[nodiscard]] int noise_type(const IntegratedSignal<Scalar>& signal, std::int64_t m) {
   const std::int64_t longest = signal.samples() / fewest_averages;
   if (longest < 1) return 0;
-  if (m > longest) return std::min(noise_type(signal, longest), 0);
-  const std::int64_t count = std::min(signal.samples() / m, most_averages);
+  if (m > longest) return (std::min)(noise_type(signal, longest), 0);
+  const std::int64_t count = (std::min)(signal.samples() / m, most_averages);
   std::vector<Scalar> z(static_cast<std::size_t>(count));
   const auto& x = signal.sums();
   for (std::size_t i = 0; i < z.size(); ++i) {

@@ -32,7 +32,7 @@ class PooledSpectrum {
   /// Of spectra with the same rate and length.
   explicit PooledSpectrum(std::span<const DifferenceSpectrum<Scalar>> spectra)
       : rate_(spectra[0].rate()), unit_(0), samples_(spectra[0].samples()) {
-    for (const auto& spectrum : spectra) unit_ = std::max(unit_, spectrum.unit());
+    for (const auto& spectrum : spectra) unit_ = (std::max)(unit_, spectrum.unit());
     for (const auto& spectrum : spectra) {
       const Scalar scale = spectrum.unit() / unit_;
       std::vector<TrendSums> sums;
@@ -68,7 +68,7 @@ class PooledSpectrum {
     const Scalar step = 1 / (rate_ * decay_time), lost = -std::expm1(-step);
     const Scalar end = std::exp(-step * static_cast<Scalar>(samples_));
     const Scalar chord = std::sqrt(bin.basis[0]);
-    const Scalar sine = chord * std::sqrt(std::max(1 - bin.basis[0] / 4, Scalar(0)));
+    const Scalar sine = chord * std::sqrt((std::max)(1 - bin.basis[0] / 4, Scalar(0)));
     const Scalar common =
         std::sqrt(2 / static_cast<Scalar>(samples_)) * sine / (lost * lost + (1 - lost) * bin.basis[0]);
     return {common * (1 + end), common * (1 - end)};

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <utility>
 
 namespace splinertia::allan {
 
@@ -21,8 +23,8 @@ class ProfileLikelihood {
   using Fixed = typename Likelihood::Fixed;
   using Times = typename Likelihood::Times;
 
-  ProfileLikelihood(const Likelihood& likelihood, NoiseTerms terms, const Result& best)
-      : likelihood_(likelihood), terms_(terms), best_(best) {}
+  ProfileLikelihood(std::reference_wrapper<const Likelihood> likelihood, NoiseTerms terms, Result best)
+      : likelihood_(likelihood), terms_(terms), best_(std::move(best)) {}
 
   /// Of √θ of a term with a place in θ.
   [[nodiscard]] Interval<Scalar> root(NoiseTerm term, Scalar confidence) const {
@@ -71,7 +73,7 @@ class ProfileLikelihood {
     // The squared relative error e² of the root is that of a scale known from 1/(2e²) squares. Of few, the ratio of
     // likelihoods is larger than of many by 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
     const Scalar share = centre > 0 ? end(centre, held, Scalar(1), true) / centre - 1 : Scalar(1);
-    const Scalar error = std::min(share * share, Scalar(1) / 2);
+    const Scalar error = (std::min)(share * share, Scalar(1) / 2);
     const Scalar corrected = drop * (1 + 2 * error / 3);
     return {end(centre, held, corrected, false), end(centre, held, corrected, true)};
   }
@@ -80,14 +82,14 @@ class ProfileLikelihood {
   [[nodiscard]] Scalar end(Scalar centre, const Held& held, Scalar drop, bool above) const {
     Result start = best_;
     const auto excess = [&](Scalar root) {
-      start = likelihood_.near(terms_, start, held(root));
+      start = likelihood_.maximum_near(terms_, start, held(root));
       return start.objective - best_.objective;
     };
     Scalar outside = 0;
     if (above) {
       // A first step that is some share of what all the power could be.
-      const Scalar whole = std::sqrt(std::max(best_.theta.sum(), Likelihood::Fit::floor()));
-      Scalar reach = std::max(centre / 8, whole / 1'000'000);
+      const Scalar whole = std::sqrt((std::max)(best_.theta.sum(), Likelihood::Fit::floor()));
+      Scalar reach = (std::max)(centre / 8, whole / 1'000'000);
       Scalar inside = centre;
       outside = centre + reach;
       while (excess(outside) < drop) {
@@ -107,7 +109,7 @@ class ProfileLikelihood {
   template <typename Excess>
   [[nodiscard]] static Scalar crossing(const Excess& excess, Scalar inside, Scalar outside, Scalar drop) {
     const Scalar goal = std::sqrt(drop);
-    const auto off = [&](Scalar value) { return std::sqrt(std::max(excess(value), Scalar(0))) - goal; };
+    const auto off = [&](Scalar value) { return std::sqrt((std::max)(excess(value), Scalar(0))) - goal; };
     const Scalar centre = inside;
     Scalar below = off(inside), above = off(outside);
     if (!(below < 0)) return inside;
@@ -137,7 +139,7 @@ class ProfileLikelihood {
 
   const Likelihood& likelihood_;
   NoiseTerms terms_;
-  const Result& best_;
+  Result best_;
 };
 
 }  // namespace splinertia::allan

@@ -52,7 +52,7 @@ template <Signal S>
   }
   const auto count = static_cast<std::int64_t>(distances.size());
   const std::int64_t misfits = count - std::count_if(distances.begin(), distances.end(), fits);
-  if (misfits > std::max(count / 20, std::min<std::int64_t>(2, count / 5))) return std::nullopt;
+  if (misfits > (std::max)(count / 20, std::min<std::int64_t>(2, count / 5))) return std::nullopt;
   return resolution;
 }
 
@@ -88,7 +88,7 @@ enum class RoundingEffect {
   require_non_negative("white_noise_before_rounding", "N", N);
   require_non_negative("white_noise_before_rounding", "resolution", resolution);
   require_positive("white_noise_before_rounding", "rate", rate);
-  return std::sqrt(std::max(0.0, N * N - resolution * resolution / (12 * rate)));
+  return std::sqrt((std::max)(0.0, N * N - resolution * resolution / (12 * rate)));
 }
 
 }  // namespace splinertia::allan

@@ -95,7 +95,7 @@ struct StampIntervals {
       if (!is_finite(time)) {
         refuse<std::invalid_argument>("sampling: stamp ", index, " is ", time, ", expected a finite number");
       }
-    } else if (first && *first < Time::zero() && time > Time::max() + *first) {
+    } else if (first && *first < Time::zero() && time > (Time::max)() + *first) {
       refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), " and the first ",
                                     printable(*first), ", expected a difference that their type can hold");
     }
@@ -111,17 +111,17 @@ struct StampIntervals {
 /// little: it is the mean of 8 in a row over all rows without a missing sample.
 [[nodiscard]] inline double grid_interval(std::span<const double> intervals, double median) {
   constexpr std::size_t row = 8;
-  std::size_t near_multiple = 0, near = 0;
+  std::size_t near_multiple = 0, nearby = 0;
   double off = 0;
   for (const double interval : intervals) {
-    const double count = std::max(1.0, std::round(interval / median));
+    const double count = (std::max)(1.0, std::round(interval / median));
     if (std::abs(interval / median - count) > 0.15) continue;
     ++near_multiple;
     if (count > 1) continue;
-    ++near;
+    ++nearby;
     off += interval - median;
   }
-  if (20 * near_multiple >= 19 * intervals.size()) return median + off / static_cast<double>(near);
+  if (20 * near_multiple >= 19 * intervals.size()) return median + off / static_cast<double>(nearby);
   if (intervals.size() < 8 * row) return median;
 
   struct Rows {
@@ -187,7 +187,7 @@ template <std::ranges::forward_range Stamps>
     const double off = std::abs(durations[i] - result.nominal_interval);
     squares += off * off;
     ++counted;
-    result.largest_jitter = std::max(result.largest_jitter, off);
+    result.largest_jitter = (std::max)(result.largest_jitter, off);
   }
   if (counted > 0) result.jitter = std::sqrt(squares / static_cast<double>(counted));
   return result;

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -12,6 +11,8 @@
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/allan/non_negative_solution.hpp>
 #include <splinertia/allan/pooled_spectrum.hpp>
+#include <splinertia/finite.hpp>
+#include <splinertia/fixed_array.hpp>
 #include <utility>
 #include <vector>
 
@@ -33,7 +34,7 @@ class SpectralFit {
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
   /// The terms that have a place in θ.
-  static constexpr std::array<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
+  static constexpr FixedArray<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                                 NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                                 NoiseTerm::gauss_markov};
   /// The place of a term in θ.
@@ -49,16 +50,16 @@ class SpectralFit {
 
   struct Result {
     Vector theta = Vector::Zero();  ///< N²·rate, K²/rate, B², Q²·rate², and 2σ²/(T·rate) of Gauss–Markov; unit()²
-    Scalar objective = std::numeric_limits<Scalar>::max();  ///< −2·log-likelihood, but for a constant
+    Scalar objective = (std::numeric_limits<Scalar>::max)();  ///< −2·log-likelihood, but for a constant
     std::vector<Scalar> slopes;  ///< of each spectrum at its beginning, unit() a sample; zero if the model has no trend
     Scalar slope_error{};        ///< standard error of a slope; zero if the model has no trend
     Times times{};
   };
 
   /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
-  SpectralFit(const Spectrum& spectrum, const std::vector<bool>& included,
-              Scalar most_count = std::numeric_limits<Scalar>::max())
-      : spectrum_(&spectrum), included_(included), grouped_(spectrum, included, most_count) {}
+  SpectralFit(std::reference_wrapper<const Spectrum> spectrum, const std::vector<bool>& included,
+              Scalar most_count = (std::numeric_limits<Scalar>::max)())
+      : spectrum_(&spectrum.get()), included_(included), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   [[nodiscard]] const std::vector<bool>& included() const { return included_; }
@@ -158,7 +159,7 @@ class SpectralFit {
           residual += result.slopes[a] * (result.slopes[a] * sums.square - 2 * product_of(i, a, sums));
         }
       }
-      all.push_back({std::max(expected, floor()), std::max(residual, Scalar(0)), bin.basis[0] * result.theta[0]});
+      all.push_back({(std::max)(expected, floor()), (std::max)(residual, Scalar(0)), bin.basis[0] * result.theta[0]});
     }
     return all;
   }
@@ -185,7 +186,7 @@ class SpectralFit {
 
   [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
     const auto& bin = spectrum_->bins()[i];
-    if (std::isinf(decay_time)) return {0, 0, bin.ramp_square, true};
+    if (!is_finite(decay_time)) return {0, 0, bin.ramp_square, true};
     const auto means = spectrum_->trend_means(bin, decay_time);
     return {means.odd, means.even, bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even,
             false};
@@ -226,11 +227,11 @@ class SpectralFit {
     for (std::size_t a = 0; a < slopes.size(); ++a) {
       power += slopes[a] * (slopes[a] * work.trend_square - 2 * work.trend_products[a]);
     }
-    return power.max(Scalar(0));
+    return (power.max)(Scalar(0));
   }
 
   [[nodiscard]] Column expect(const Work& work, const Vector& theta) const {
-    return (work.basis.matrix() * theta).array().max(floor());
+    return ((work.basis.matrix() * theta).array().max)(floor());
   }
 
   /// A first guess of S: means over a third of an octave about each group.
@@ -250,7 +251,7 @@ class SpectralFit {
         count -= grouped_.count[begin];
         ++begin;
       }
-      expected[g] = std::max(power / count, floor());
+      expected[g] = (std::max)(power / count, floor());
     }
     return expected;
   }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,18 +34,20 @@ inline constexpr std::int64_t longest_knock = 200;
 /// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
 class StepFitter {
  public:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+
   /// The window less a line of this slope [per sample]. Keeps a reference to the window.
-  explicit StepFitter(const std::vector<double>& window, double slope = 0)
-      : window_(window), size_(static_cast<std::int64_t>(window.size())) {
+  explicit StepFitter(std::reference_wrapper<const std::vector<double>> window, double slope = 0)
+      : window_(window), size_(static_cast<std::int64_t>(window_.size())) {
     double mean = 0;
-    for (const double y : window) mean += y;
-    mean /= static_cast<double>(window.size());
-    sums_.reserve(window.size() + 1);
-    double_sums_.reserve(window.size() + 2);
+    for (const double y : window_) mean += y;
+    mean /= static_cast<double>(window_.size());
+    sums_.reserve(window_.size() + 1);
+    double_sums_.reserve(window_.size() + 2);
     sums_.push_back(0);
     double_sums_.push_back(0);
     double line = slope * static_cast<double>(size_ - 1) / 2 - mean;
-    for (const double y : window) {
+    for (const double y : window_) {
       double_sums_.push_back(double_sums_.back() + sums_.back());
       sums_.push_back(sums_.back() + (y + line));
       line -= slope;
@@ -55,12 +59,12 @@ class StepFitter {
   /// the levels. Its error is infinite if a level has fewer than 16 samples. None if the window has fewer than 32
   /// samples.
   [[nodiscard]] std::optional<StepFit> fit(std::int64_t place, std::int64_t reach) const {
-    const Range range{std::max(least_side, place - reach), std::min(size_ - least_side, place + reach)};
+    const Range range{(std::max)(least_side, place - reach), (std::min)(size_ - least_side, place + reach)};
     if (range.size() < 0) return std::nullopt;
     const double slope = slope_outside({place - reach, place + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
     if (located.is_knock)
-      return StepFit{located.change.begin, located.change.duration, 0, 0, INFINITY, INFINITY, 0, true};
+      return StepFit{located.change.begin, located.change.duration, 0, 0, infinite, infinite, 0, true};
     const Levels of_change = levels(located.change, located.reach);
     return StepFit{located.change.begin, located.change.duration, of_change.height,  of_change.difference,
                    of_change.scatter,    of_change.error,         of_change.samples, false};
@@ -101,13 +105,13 @@ class StepFitter {
     const Change earlier = best_split(left), later = best_split(right);
     const bool is_earlier = earlier.gain > later.gain;
     const Change& second = is_earlier ? earlier : later;
-    const std::int64_t first = std::min(sudden.begin, second.begin), distance = std::abs(sudden.begin - second.begin);
+    const std::int64_t first = (std::min)(sudden.begin, second.begin), distance = std::abs(sudden.begin - second.begin);
     const bool returns = rises({0, size_}, sudden.begin) != rises(is_earlier ? left : right, second.begin);
     if (returns && distance <= longest_knock && second.gain > sudden.gain / 2)
       return {{first, distance, 0}, reach, true};
     // Two sudden steps may do better than one that takes long: then the window is too wide for the higher one.
     if (best.duration == 0 || sudden.gain + second.gain <= best.gain + least) return {best, reach, false};
-    return {sudden, std::min(reach, distance / 2), false};
+    return {sudden, (std::min)(reach, distance / 2), false};
   }
 
   /// Whether the mean of the samples from a place on is above that of those before it.
@@ -185,9 +189,9 @@ class StepFitter {
   struct Levels {
     double height = 0;           ///< without a drift
     double difference = 0;       ///< with it
-    double scatter = INFINITY;   ///< standard error of the height
-    double error = INFINITY;     ///< that and what a drift may add, root of the sum of squares
-    double variance = INFINITY;  ///< of a sample, as averages of many samples scatter
+    double scatter = infinite;   ///< standard error of the height
+    double error = infinite;     ///< that and what a drift may add, root of the sum of squares
+    double variance = infinite;  ///< of a sample, as averages of many samples scatter
     double samples = 0;          ///< of the shorter side
   };
 
@@ -198,7 +202,8 @@ class StepFitter {
     for (const std::int64_t width : {2 * reach, reach, reach / 2}) {
       const std::int64_t room = change.duration / 4;  // for a change that begins or ends smoothly
       const std::int64_t before = change.begin - room, after = change.begin + change.duration + room;
-      const Range left{std::max<std::int64_t>(0, before - width), before}, right{after, std::min(size_, after + width)};
+      const Range left{std::max<std::int64_t>(0, before - width), before},
+          right{after, (std::min)(size_, after + width)};
       if (left.size() < least_side || right.size() < least_side) continue;
       const Levels some = of_sides(Side(*this, left), Side(*this, right));
       if (some.error < clearly_better * best.error) best = some;
@@ -235,11 +240,11 @@ class StepFitter {
     const double spread = left.xx + right.xx, slope = (left.xy + right.xy) / spread, distance = right.x - left.x;
     const double products = left.yy + right.yy;
     const double flat = products / (2 * pieces - 2), sloped = (products - slope * slope * spread) / (2 * pieces - 3);
-    const double variance = std::min(flat, sloped), shares = 1 / left.samples + 1 / right.samples;
-    const double uncertain = 3 * sloped / spread, share = std::max(0.0, 1 - uncertain / (slope * slope));
-    const double drift = std::min(sloped / spread, slope * slope / 3) * distance * distance;
+    const double variance = (std::min)(flat, sloped), shares = 1 / left.samples + 1 / right.samples;
+    const double uncertain = 3 * sloped / spread, share = (std::max)(0.0, 1 - uncertain / (slope * slope));
+    const double drift = (std::min)(sloped / spread, slope * slope / 3) * distance * distance;
     return {right.y - left.y - share * slope * distance, right.y - left.y, std::sqrt(variance * shares),
-            std::sqrt(variance * shares + drift),        variance,         std::min(left.samples, right.samples)};
+            std::sqrt(variance * shares + drift),        variance,         (std::min)(left.samples, right.samples)};
   }
 
   [[nodiscard]] static double at(const std::vector<double>& values, std::int64_t i) {

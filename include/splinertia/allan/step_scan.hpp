@@ -41,7 +41,7 @@ struct StepCandidate {
 [[nodiscard]] inline double step_threshold(double trials, double probability, double degrees_of_freedom) {
   double z = 5;
   for (int i = 0; i < 8; ++i) {
-    z = std::sqrt(2 * std::log(std::max(2.0, 2 * trials * z / (probability * std::sqrt(2 * std::numbers::pi)))));
+    z = std::sqrt(2 * std::log((std::max)(2.0, 2 * trials * z / (probability * std::sqrt(2 * std::numbers::pi)))));
   }
   return std::sqrt(degrees_of_freedom * std::expm1(z * z / degrees_of_freedom));
 }
@@ -57,7 +57,7 @@ struct StepCandidate {
     return *place;
   };
   const double high = quantile(0.8) / 1.2816, middle = quantile(0.5) / 0.6745;
-  const double size = std::max(high, middle);
+  const double size = (std::max)(high, middle);
   return size > step_rounding ? size : 0;
 }
 
@@ -137,7 +137,7 @@ class StepScan {
   template <typename Difference>
   [[nodiscard]] double usual(std::int64_t first, std::int64_t last, std::int64_t width, const Difference& difference) {
     magnitudes_.clear();
-    const std::int64_t stride = std::max(std::max<std::int64_t>(1, width / 8), (last - first) / sample_size);
+    const std::int64_t stride = (std::max)(std::max<std::int64_t>(1, width / 8), (last - first) / sample_size);
     for (std::int64_t i = first; i <= last; i += stride) magnitudes_.push_back(std::abs(difference(i)));
     return usual_size(magnitudes_);
   }
@@ -166,7 +166,7 @@ class StepScan {
     // c of step_threshold() is 1.75/w: of −1, 3, −3, 1 as weights of four windows of white noise.
     const double trials = 1.75 * static_cast<double>(blocks_) / static_cast<double>(w);
     const double threshold =
-        std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
+        (std::max)(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
     if (!(threshold > 0)) return;
     for (std::int64_t i = first; i <= last; i += std::max<std::int64_t>(1, w / 8)) {
       const double size = std::abs(difference(i));
@@ -182,7 +182,7 @@ class StepScan {
       const std::int64_t before = direction > 0 ? w : 4 * w, after = 5 * w - before;
       const double spread = usual(before, blocks_ - after, w, difference);
       const double threshold =
-          std::max(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
+          (std::max)(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
       if (!(threshold > 0)) continue;
       const std::int64_t begin = direction > 0 ? w : blocks_ - 2 * w + 1;
       for (std::int64_t i = begin; i < begin + w; i += std::max<std::int64_t>(1, w / 8)) {

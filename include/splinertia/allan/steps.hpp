@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/sample_span.hpp>
@@ -36,10 +37,10 @@ struct StepOptions {
 template <std::floating_point Scalar>
 class StepSearch {
  public:
-  StepSearch(const IntegratedSignal<Scalar>& signal, const StepOptions& options)
-      : signal_(signal), least_(options.least_height / static_cast<double>(signal.unit())), taken_(options.left_out) {
-    means_.reserve(static_cast<std::size_t>(signal.samples() / step_block));
-    for (std::int64_t begin = 0; begin + step_block <= signal.samples(); begin += step_block) {
+  StepSearch(std::reference_wrapper<const IntegratedSignal<Scalar>> signal, const StepOptions& options)
+      : signal_(signal), least_(options.least_height / static_cast<double>(signal_.unit())), taken_(options.left_out) {
+    means_.reserve(static_cast<std::size_t>(signal_.samples() / step_block));
+    for (std::int64_t begin = 0; begin + step_block <= signal_.samples(); begin += step_block) {
       means_.push_back(mean(begin, begin + step_block));
     }
     clipped_ = means_;
@@ -52,7 +53,7 @@ class StepSearch {
     std::sort(steps_.begin(), steps_.end(), [](const Step& a, const Step& b) { return a.sample < b.sample; });
   }
 
-  [[nodiscard]] std::vector<Step>& steps() { return steps_; }
+  [[nodiscard]] std::vector<Step> steps() && { return std::move(steps_); }
 
  private:
   /// A change must be so many times the scatter right beside it, which a knock increases, and its standard error.
@@ -105,7 +106,7 @@ class StepSearch {
       const auto block = static_cast<std::size_t>(i);
       changes_.push_back(std::abs(clipped_[block] - clipped_[block - 1]));
     }
-    return std::max(usual_size(changes_), step_rounding);
+    return (std::max)(usual_size(changes_), step_rounding);
   }
 
   /// Whether the noise in the candidate's window is as much stronger than usual as the candidate is above the
@@ -119,7 +120,7 @@ class StepSearch {
   /// samples of a coarse resolution that happen to lie close together are none, either.
   [[nodiscard]] bool is_step(const StepFit& fit) const {
     const double least =
-        std::max({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
+        (std::max)({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
     const auto [low, high] = std::minmax_element(samples_.begin(), samples_.end());
     const double worth = std::abs(fit.height) * fit.samples / (*high - *low);  // in samples that go all the way
     return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1 && worth >= fewest;
@@ -181,7 +182,7 @@ template <std::floating_point Scalar>
   require(options.false_alarms > 0 && options.false_alarms < 1, "find_steps", "false_alarms", options.false_alarms,
           "a probability in (0, 1)");
   require_non_negative("find_steps", "least_height", options.least_height);
-  return std::move(StepSearch(signal, options).steps());
+  return StepSearch<Scalar>(signal, options).steps();
 }
 
 /// Likewise. Throws also what IntegratedSignal throws: std::invalid_argument for a constant signal, one with fewer than

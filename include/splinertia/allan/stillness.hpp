@@ -34,8 +34,8 @@ struct HalfBlock {
     const double difference = value - origin;
     sum += difference;
     squares += difference * difference;
-    least = std::min(least, difference);
-    greatest = std::max(greatest, difference);
+    least = (std::min)(least, difference);
+    greatest = (std::max)(greatest, difference);
   }
 };
 
@@ -51,7 +51,7 @@ struct BlockLimit {
     };
     const double low = quartile(1), high = quartile(3);
     usual = quartile(2);
-    const double width = low > 0 ? std::max(high / usual, usual / low) : 2;
+    const double width = low > 0 ? (std::max)(high / usual, usual / low) : 2;
     limit = usual * std::clamp(std::pow(width, 12), least, 8.0);
   }
   double usual, limit;
@@ -88,16 +88,16 @@ template <Signal S>
     for (std::int64_t k = 0; k < half; ++k, previous = value++) {
       next.add(static_cast<double>(*value), k == 0);
       const double change = std::abs(static_cast<double>(*value) - static_cast<double>(*previous));
-      if (change > 0) resolution = std::min(resolution, change);
+      if (change > 0) resolution = (std::min)(resolution, change);
     }
     if (i > 0) {
       const double shift = next.origin - last.origin;
       const auto count = static_cast<double>(half);
       const double mean = (last.sum + next.sum + count * shift) / (2 * count);
       const double squares = last.squares + next.squares + 2 * shift * next.sum + count * shift * shift;
-      spreads.push_back(std::sqrt(std::max(0.0, squares / (2 * count) - mean * mean)));
-      peaks.push_back(std::max(std::max(last.greatest, next.greatest + shift) - mean,
-                               mean - std::min(last.least, next.least + shift)));
+      spreads.push_back(std::sqrt((std::max)(0.0, squares / (2 * count) - mean * mean)));
+      peaks.push_back((std::max)((std::max)(last.greatest, next.greatest + shift) - mean,
+                                 mean - (std::min)(last.least, next.least + shift)));
     }
     last = next;
   }
@@ -106,15 +106,15 @@ template <Signal S>
   const detail::BlockLimit of_spreads(spreads, std::exp(7 / std::sqrt(4 * static_cast<double>(half))));
   detail::BlockLimit of_peaks(peaks, 2.5);
   if (of_spreads.usual == 0) return result;
-  of_peaks.limit = std::max(of_peaks.limit, of_peaks.usual + 2.5 * resolution);
+  of_peaks.limit = (std::max)(of_peaks.limit, of_peaks.usual + 2.5 * resolution);
   double worst = 0;
   for (std::size_t i = 0; i < spreads.size(); ++i) {
-    const double excess = std::max(spreads[i] / of_spreads.limit, peaks[i] / of_peaks.limit);
+    const double excess = (std::max)(spreads[i] / of_spreads.limit, peaks[i] / of_peaks.limit);
     if (excess > 1) ++result.disturbed;
     if (excess <= worst) continue;
     worst = excess;
     result.worst = static_cast<std::int64_t>(i) * half;
-    result.worst_ratio = std::max(spreads[i] / of_spreads.usual, peaks[i] / of_peaks.usual);
+    result.worst_ratio = (std::max)(spreads[i] / of_spreads.usual, peaks[i] / of_peaks.usual);
   }
   return result;
 }

@@ -97,7 +97,7 @@ class StreamingAllanDeviation {
   /// Samples a second [Hz] > 0; an offset near the mean in the samples' unit, the first sample if none is given; the
   /// largest averaging factor to look at. Throws std::invalid_argument for others.
   explicit StreamingAllanDeviation(Scalar rate, std::optional<Scalar> offset = {},
-                                   std::int64_t largest_factor = std::numeric_limits<std::int64_t>::max())
+                                   std::int64_t largest_factor = (std::numeric_limits<std::int64_t>::max)())
       : rate_(rate), largest_factor_(largest_factor), offset_(offset) {
     require_positive("StreamingAllanDeviation", "rate", rate);
     if (offset) require_finite("StreamingAllanDeviation", "offset", *offset);
@@ -149,9 +149,9 @@ class StreamingAllanDeviation {
       if (terms < 1 || m > largest_factor_) break;
       const Octave& sums = octave < steps ? first_octaves_[octave] : levels_[octave - steps + 1].octave;
       const bool enough = sums.noise_type.count() >= fewest_averages;
-      identified = enough ? sums.noise_type.alpha() : std::min(identified, 0);
+      identified = enough ? sums.noise_type.alpha() : (std::min)(identified, 0);
       const auto freedom = static_cast<Scalar>(equivalent_degrees_of_freedom(
-          {}, alpha.value_or(std::max(identified, steepest_power_law<Deviation>)), m, terms, stride, phase_model));
+          {}, alpha.value_or((std::max)(identified, steepest_power_law<Deviation>)), m, terms, stride, phase_model));
       const auto factor = static_cast<Scalar>(m);
       const Scalar deviation = std::sqrt(sums.squares.value() / static_cast<Scalar>(2 * terms)) / factor;
       result.points.push_back({m, factor / rate_, terms, deviation, alpha.value_or(identified), freedom,

@@ -98,7 +98,7 @@ struct TotalSquares {
   }
   if (model == PhaseModel::greenhall_riley && alpha <= 0 && alpha >= -2) {
     const double ratio = static_cast<double>(rates) / static_cast<double>(m);
-    return std::max(1.0, alpha == 0 ? 1.5 * ratio : alpha == -1 ? 1.168 * ratio - 0.222 : 0.927 * ratio - 0.358);
+    return (std::max)(1.0, alpha == 0 ? 1.5 * ratio : alpha == -1 ? 1.168 * ratio - 0.222 : 0.927 * ratio - 0.358);
   }
   if (m == 1 && (alpha == 1 || alpha == -1)) return equivalent_degrees_of_freedom({}, alpha, 1, rates - 1);
   const TotalSquares squares = total_squares(alpha, static_cast<double>(m), static_cast<double>(rates));

@@ -21,10 +21,10 @@ enum class AccelerometerMean {
 /// From the mean of all three axes: its norm is g, 9.78 to 9.83 m/s² on Earth, plus a bias, which 5 % leaves room for.
 [[nodiscard]] inline AccelerometerMean recognize_accelerometer_mean(const Eigen::Vector3d& mean) {
   const double norm = mean.norm();
-  const auto near = [norm](double value) { return std::abs(norm / value - 1) <= 0.05; };
-  if (near(units::standard_g)) return AccelerometerMean::gravity;
-  if (near(1)) return AccelerometerMean::gravity_in_g;
-  if (near(1000) || near(100 * units::standard_g)) return AccelerometerMean::gravity_in_milli_g;
+  const auto nearby = [norm](double value) { return std::abs(norm / value - 1) <= 0.05; };
+  if (nearby(units::standard_g)) return AccelerometerMean::gravity;
+  if (nearby(1)) return AccelerometerMean::gravity_in_g;
+  if (nearby(1000) || nearby(100 * units::standard_g)) return AccelerometerMean::gravity_in_milli_g;
   return norm < 0.05 * units::standard_g ? AccelerometerMean::no_gravity : AccelerometerMean::unclear;
 }
 

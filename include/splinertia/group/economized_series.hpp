@@ -5,8 +5,8 @@
 
 #include <splinertia/cpp20.hpp>
 
-#include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 
 namespace splinertia {
 
@@ -28,9 +28,9 @@ namespace splinertia {
 /// C. Lanczos, "Applied Analysis" (1956), VII.6: starting from a long enough Taylor polynomial in y = x/length, the
 /// highest term b y^m is replaced by b (y^m − T*_m(y)/2^(2m−1)), of degree m − 1, until Terms are left.
 template <typename Real, int Terms>
-[[nodiscard]] constexpr std::array<Real, Terms> economized_series(int n, long double length) {
+[[nodiscard]] constexpr FixedArray<Real, Terms> economized_series(int n, long double length) {
   constexpr int size = Terms + 8;  // the first one left out is below 1e-10 of the error that is accepted
-  std::array<long double, size> b{};
+  FixedArray<long double, size> b{};
   long double term = 1;
   for (int i = 2; i <= n; ++i) term /= static_cast<long double>(i);
   for (int m = 0; m < size; ++m) {
@@ -38,7 +38,7 @@ template <typename Real, int Terms>
     term *= -length / static_cast<long double>((2 * m + n + 1) * (2 * m + n + 2));
   }
   // T*_m by its recursion T*_{m+1} = (4y − 2) T*_m − T*_{m−1}.
-  std::array<std::array<long double, size>, size> chebyshev{};
+  FixedArray<FixedArray<long double, size>, size> chebyshev{};
   chebyshev[0][0] = 1;
   chebyshev[1][0] = -1;
   chebyshev[1][1] = 2;
@@ -51,7 +51,7 @@ template <typename Real, int Terms>
     const long double factor = b[m] / chebyshev[m][m];
     for (std::size_t i = 0; i <= m; ++i) b[i] -= factor * chebyshev[m][i];
   }
-  std::array<Real, Terms> a{};
+  FixedArray<Real, Terms> a{};
   long double scale = 1;
   for (std::size_t m = 0; m < Terms; ++m) {
     a[m] = static_cast<Real>(b[m] * scale);

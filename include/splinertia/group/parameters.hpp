@@ -10,7 +10,11 @@
 /// anywhere.
 #pragma once
 
-#include <splinertia/group/pose.hpp>
+#include <concepts>
+#include <splinertia/group/known_groups.hpp>
+#include <splinertia/group/planar_motion.hpp>
+#include <splinertia/group/rotation.hpp>
+#include <utility>
 
 namespace splinertia {
 
@@ -24,25 +28,31 @@ namespace splinertia {
 template <typename G>
 struct ParameterLayout;
 
+/// A group of which ParameterLayout is known.
+template <typename G>
+concept HasParameterLayout = LieGroup<G> && requires {
+  { ParameterLayout<G>::size } -> std::convertible_to<int>;
+};
+
 /// How many numbers an element of G is kept in.
-template <LieGroup G>
+template <HasParameterLayout G>
 inline constexpr int parameter_count = ParameterLayout<G>::size;
 
 /// The element of G that the numbers at `numbers` are. Nothing is normalised.
-template <LieGroup G>
+template <HasParameterLayout G>
 [[nodiscard]] inline G read_parameters(const ScalarOf<G>* numbers) {
   return ParameterLayout<G>::read(numbers);
 }
 
 /// Writes parameter_count<G> numbers.
-template <LieGroup G>
+template <HasParameterLayout G>
 inline void write_parameters(const G& x, ScalarOf<G>* numbers) {
   ParameterLayout<G>::write(x, numbers);
 }
 
-template <LieGroup G>
+template <HasParameterLayout G>
 using TangentToParameters = Eigen::Matrix<ScalarOf<G>, parameter_count<G>, DofOf<G>>;
-template <LieGroup G>
+template <HasParameterLayout G>
 using ParametersToTangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, parameter_count<G>>;
 
 template <typename Scalar, int N>
@@ -154,7 +164,7 @@ struct ParameterLayout<Sophus::SE3<Scalar>> {
   }
 };
 
-template <LieGroup... F>
+template <HasParameterLayout... F>
 struct ParameterLayout<Product<F...>> {
   using G = Product<F...>;
   using Scalar = ScalarOf<G>;
@@ -162,27 +172,29 @@ struct ParameterLayout<Product<F...>> {
 
   static G read(const Scalar* numbers) {
     G x;
-    for_each_factor(
-        [&]<std::size_t I, typename Factor>(int row) { x.template get<I>() = read_parameters<Factor>(numbers + row); });
+    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+      x.template get<Index>() = read_parameters<Factor>(numbers + row);
+    });
     return x;
   }
   static void write(const G& x, Scalar* numbers) {
-    for_each_factor(
-        [&]<std::size_t I, typename Factor>(int row) { write_parameters<Factor>(x.template get<I>(), numbers + row); });
+    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+      write_parameters<Factor>(x.template get<Index>(), numbers + row);
+    });
   }
   static Eigen::Matrix<Scalar, size, DofOf<G>> tangent_to_parameters(const G& x) {
     Eigen::Matrix<Scalar, size, DofOf<G>> J = Eigen::Matrix<Scalar, size, DofOf<G>>::Zero();
-    for_each_factor([&]<std::size_t I, typename Factor>(int row) {
-      J.template block<parameter_count<Factor>, DofOf<Factor>>(row, G::template offset<I>) =
-          ParameterLayout<Factor>::tangent_to_parameters(x.template get<I>());
+    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+      J.template block<parameter_count<Factor>, DofOf<Factor>>(row, G::template offset<Index>) =
+          ParameterLayout<Factor>::tangent_to_parameters(x.template get<Index>());
     });
     return J;
   }
   static Eigen::Matrix<Scalar, DofOf<G>, size> parameters_to_tangent(const G& x) {
     Eigen::Matrix<Scalar, DofOf<G>, size> J = Eigen::Matrix<Scalar, DofOf<G>, size>::Zero();
-    for_each_factor([&]<std::size_t I, typename Factor>(int row) {
-      J.template block<DofOf<Factor>, parameter_count<Factor>>(G::template offset<I>, row) =
-          ParameterLayout<Factor>::parameters_to_tangent(x.template get<I>());
+    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+      J.template block<DofOf<Factor>, parameter_count<Factor>>(G::template offset<Index>, row) =
+          ParameterLayout<Factor>::parameters_to_tangent(x.template get<Index>());
     });
     return J;
   }
@@ -190,9 +202,9 @@ struct ParameterLayout<Product<F...>> {
  private:
   // f<I, Factor>(row), row being where the numbers of the factor begin.
   static void for_each_factor(const auto& f) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
       int row = 0;
-      ((f.template operator()<I, F>(row), row += parameter_count<F>), ...);
+      ((f.template operator()<Index, F>(row), row += parameter_count<F>), ...);
     }(std::index_sequence_for<F...>{});
   }
 };

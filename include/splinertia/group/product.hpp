@@ -22,15 +22,15 @@ class Product {
   static_assert(sizeof...(G) > 0, "a product has at least one factor");
   static constexpr std::size_t size = sizeof...(G);
 
-  template <std::size_t I>
-  using Factor = std::tuple_element_t<I, std::tuple<G...>>;
+  template <std::size_t Index>
+  using Factor = std::tuple_element_t<Index, std::tuple<G...>>;
 
   /// Where the tangent of factor I begins in that of the product.
-  template <std::size_t I>
+  template <std::size_t Index>
   static constexpr int offset = [] {
     constexpr std::array<int, size> dof{DofOf<G>...};
     int sum = 0;
-    for (std::size_t i = 0; i < I; ++i) sum += dof[i];
+    for (std::size_t i = 0; i < Index; ++i) sum += dof[i];
     return sum;
   }();
 
@@ -38,13 +38,13 @@ class Product {
   Product() : factors_{GroupTraits<G>::identity()...} {}
   Product(const G&... factors) : factors_{factors...} {}
 
-  template <std::size_t I>
-  [[nodiscard]] const Factor<I>& get() const {
-    return std::get<I>(factors_);
+  template <std::size_t Index>
+  [[nodiscard]] const Factor<Index>& get() const {
+    return std::get<Index>(factors_);
   }
-  template <std::size_t I>
-  [[nodiscard]] Factor<I>& get() {
-    return std::get<I>(factors_);
+  template <std::size_t Index>
+  [[nodiscard]] Factor<Index>& get() {
+    return std::get<Index>(factors_);
   }
 
  private:
@@ -63,69 +63,74 @@ struct GroupTraits<Product<G...>> {
 
   static P identity() { return P{}; }
   static P compose(const P& x, const P& y) {
-    return factors(
-        [&]<std::size_t I, typename F>() { return GroupTraits<F>::compose(x.template get<I>(), y.template get<I>()); });
+    return factors([&]<std::size_t Index, typename F>() {
+      return GroupTraits<F>::compose(x.template get<Index>(), y.template get<Index>());
+    });
   }
   static P inverse(const P& x) {
-    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::inverse(x.template get<I>()); });
+    return factors([&]<std::size_t Index, typename F>() { return GroupTraits<F>::inverse(x.template get<Index>()); });
   }
   static P exp(const Vector& tau) {
-    return factors([&]<std::size_t I, typename F>() { return GroupTraits<F>::exp(part<I>(tau)); });
+    return factors([&]<std::size_t Index, typename F>() { return GroupTraits<F>::exp(part<Index>(tau)); });
   }
   static Vector log(const P& x) {
-    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::log(x.template get<I>()); });
+    return tangents([&]<std::size_t Index, typename F>() { return GroupTraits<F>::log(x.template get<Index>()); });
   }
   static Vector adjoint(const P& x, const Vector& tau) {
-    return tangents(
-        [&]<std::size_t I, typename F>() { return GroupTraits<F>::adjoint(x.template get<I>(), part<I>(tau)); });
+    return tangents([&]<std::size_t Index, typename F>() {
+      return GroupTraits<F>::adjoint(x.template get<Index>(), part<Index>(tau));
+    });
   }
   static Vector adjoint_inverse(const P& x, const Vector& tau) {
-    return tangents(
-        [&]<std::size_t I, typename F>() { return splinertia::adjoint_inverse<F>(x.template get<I>(), part<I>(tau)); });
+    return tangents([&]<std::size_t Index, typename F>() {
+      return splinertia::adjoint_inverse<F>(x.template get<Index>(), part<Index>(tau));
+    });
   }
   static Vector bracket(const Vector& a, const Vector& b) {
-    return tangents([&]<std::size_t I, typename F>() { return GroupTraits<F>::bracket(part<I>(a), part<I>(b)); });
+    return tangents(
+        [&]<std::size_t Index, typename F>() { return GroupTraits<F>::bracket(part<Index>(a), part<Index>(b)); });
   }
   static Vector increment(const P& x, const P& y) {
-    return tangents([&]<std::size_t I, typename F>() {
-      return splinertia::increment<F>(x.template get<I>(), y.template get<I>());
+    return tangents([&]<std::size_t Index, typename F>() {
+      return splinertia::increment<F>(x.template get<Index>(), y.template get<Index>());
     });
   }
   static Scalar drift(const P& x) {
     Scalar worst(0);
-    factors([&]<std::size_t I, typename F>() {
-      if constexpr (requires { GroupTraits<F>::drift(x.template get<I>()); }) {
-        worst = std::max(worst, GroupTraits<F>::drift(x.template get<I>()));
+    factors([&]<std::size_t Index, typename F>() {
+      if constexpr (requires { GroupTraits<F>::drift(x.template get<Index>()); }) {
+        worst = (std::max)(worst, GroupTraits<F>::drift(x.template get<Index>()));
       }
-      return x.template get<I>();
+      return x.template get<Index>();
     });
     return worst;
   }
   static P normalized(const P& x) {
-    return factors([&]<std::size_t I, typename F>() {
-      if constexpr (requires { GroupTraits<F>::normalized(x.template get<I>()); }) {
-        return GroupTraits<F>::normalized(x.template get<I>());
+    return factors([&]<std::size_t Index, typename F>() {
+      if constexpr (requires { GroupTraits<F>::normalized(x.template get<Index>()); }) {
+        return GroupTraits<F>::normalized(x.template get<Index>());
       } else {
-        return x.template get<I>();
+        return x.template get<Index>();
       }
     });
   }
   static Square left_jacobian(const Vector& tau)
     requires(LieGroupWithJacobians<G> && ...)
   {
-    return blocks([&]<std::size_t I, typename F>() { return GroupTraits<F>::left_jacobian(part<I>(tau)); });
+    return blocks([&]<std::size_t Index, typename F>() { return GroupTraits<F>::left_jacobian(part<Index>(tau)); });
   }
   static Square left_jacobian_inverse(const Vector& tau)
     requires(LieGroupWithJacobians<G> && ...)
   {
-    return blocks([&]<std::size_t I, typename F>() { return GroupTraits<F>::left_jacobian_inverse(part<I>(tau)); });
+    return blocks(
+        [&]<std::size_t Index, typename F>() { return GroupTraits<F>::left_jacobian_inverse(part<Index>(tau)); });
   }
 
   /// The part of a tangent (or of any column of Dof rows) that belongs to factor I.
-  template <std::size_t I>
+  template <std::size_t Index>
   static auto part(const Vector& tau) {
-    using F = typename P::template Factor<I>;
-    return Tangent<F>{tau.template segment<DofOf<F>>(P::template offset<I>)};
+    using F = typename P::template Factor<Index>;
+    return Tangent<F>{tau.template segment<DofOf<F>>(P::template offset<Index>)};
   }
 
  private:
@@ -133,20 +138,22 @@ struct GroupTraits<Product<G...>> {
 
   // f<I, F>() gives the result for factor I of type F.
   static P factors(const auto& f) {
-    return [&]<std::size_t... I>(std::index_sequence<I...>) { return P { f.template operator()<I, G>()... }; }(indices);
+    return [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      return P { f.template operator()<Index, G>()... };
+    }(indices);
   }
   static Vector tangents(const auto& f) {
     Vector tau;
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((tau.template segment<DofOf<G>>(P::template offset<I>) = f.template operator()<I, G>()), ...);
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      ((tau.template segment<DofOf<G>>(P::template offset<Index>) = f.template operator()<Index, G>()), ...);
     }(indices);
     return tau;
   }
   static Square blocks(const auto& f) {
     Square m = Square::Zero();
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<I>, P::template offset<I>) =
-            f.template operator()<I, G>()),
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<Index>, P::template offset<Index>) =
+            f.template operator()<Index, G>()),
        ...);
     }(indices);
     return m;
@@ -158,5 +165,5 @@ struct GroupTraits<Product<G...>> {
 // Structured bindings.
 template <typename... G>
 struct std::tuple_size<splinertia::Product<G...>> : std::integral_constant<std::size_t, sizeof...(G)> {};
-template <std::size_t I, typename... G>
-struct std::tuple_element<I, splinertia::Product<G...>> : std::tuple_element<I, std::tuple<G...>> {};
+template <std::size_t Index, typename... G>
+struct std::tuple_element<Index, splinertia::Product<G...>> : std::tuple_element<Index, std::tuple<G...>> {};

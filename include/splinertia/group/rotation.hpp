@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stumpff.hpp>
@@ -37,7 +39,7 @@ template <typename Scalar>
 }
 
 /// The rotation vector, |φ| ≤ π, of the quaternion (v, w) with w ≥ 0, of any length: φ = v 2 atan2(|v|, w)/|v|.
-/// At w = 0 (a rotation by π) the sign of v is kept.
+/// At w = 0 (a rotation by π) the sign of v is kept. NaN for a quaternion that is zero or not finite.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotation_log_folded(const Vector3<Scalar>& v, const Scalar& w) {
   using Real = Constant<Scalar>;
@@ -47,11 +49,23 @@ template <typename Scalar>
     // Two terms of the arc tangent's series; the next is (2/5)(|v|/w)⁴ < eps². Holds where n2 underflows, too.
     return v * Scalar((Real(2) - Real(2) / Real(3) * n2 / (w * w)) / w);
   }
+  using Limits = std::numeric_limits<Real>;
+  if (!(n2 >= (Limits::min)() / Limits::epsilon() && n2 <= (Limits::max)())) [[unlikely]] {
+    // |v|² is no number of full accuracy, and w is not large beside it. Divided by the largest component, it is.
+    using std::abs;
+    Scalar largest = w;
+    for (int i = 0; i < 3; ++i) largest = (std::max)(largest, Scalar(abs(v[i])));
+    if (n2 >= Real(0) && largest > Real(0) && largest <= (Limits::max)()) {
+      return rotation_log_folded<Scalar>(v / largest, Scalar(w / largest));
+    }
+    return Vector3<Scalar>::Constant(Scalar(Limits::quiet_NaN()));
+  }
   const Scalar n = sqrt(n2);
   return v * Scalar(Real(2) * atan2(n, w) / n);
 }
 
-/// The rotation vector of a quaternion of any length other than zero, |φ| ≤ π. Relative error below 2 eps everywhere.
+/// The rotation vector, |φ| ≤ π, of a quaternion of any finite length other than zero. Relative error below 2 eps
+/// everywhere.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotation_log(const Eigen::Quaternion<Scalar>& q) {
   if (q.w() < Constant<Scalar>(0)) return rotation_log_folded<Scalar>(-q.vec(), -q.w());

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/economized_series.hpp>
 #include <splinertia/lanes.hpp>
 #include <type_traits>
@@ -42,8 +43,8 @@ using Constant = std::conditional_t<
 /// c_n(X) and the values c_n(X/4) at half the angle that they were made from, n = 0 … N.
 template <typename Scalar, int N>
 struct StumpffValues {
-  std::array<Scalar, N + 1> full;
-  std::array<Scalar, N + 1> half;
+  FixedArray<Scalar, N + 1> full;
+  FixedArray<Scalar, N + 1> half;
 };
 
 /// The half angle that the polynomials reach to, squared: just above (π/2)².
@@ -65,8 +66,8 @@ inline constexpr long double stumpff_reach = 2.4675L;
 
 /// Taylor's coefficients of c_n, (−1)^m/(2m + n)! for m = 0 … Terms − 1.
 template <typename Real, int Terms>
-[[nodiscard]] constexpr std::array<Real, Terms> taylor_series(int n) {
-  std::array<Real, Terms> table{};
+[[nodiscard]] constexpr FixedArray<Real, Terms> taylor_series(int n) {
+  FixedArray<Real, Terms> table{};
   Real factorial = Real(1);
   for (int i = 2; i <= n; ++i) factorial *= Real(i);
   for (int m = 0; m < Terms; ++m) {
@@ -83,9 +84,9 @@ template <typename Scalar, typename Real, std::size_t Terms>
 [[nodiscard]] inline Scalar polynomial(const std::array<Real, Terms>& a, const Scalar& x) {
   static_assert(Terms >= 2);
   const Scalar y = x * x;
-  const auto every_other = [&]<std::size_t... I>(std::size_t highest, std::index_sequence<I...>) {
+  const auto every_other = [&]<std::size_t... Index>(std::size_t highest, std::index_sequence<Index...>) {
     Scalar sum(a[highest]);
-    ((sum = sum * y + a[highest - 2 * (I + 1)]), ...);
+    ((sum = sum * y + a[highest - 2 * (Index + 1)]), ...);
     return sum;
   };
   constexpr std::size_t even = (Terms - 1) / 2, odd = (Terms - 2) / 2;
@@ -103,7 +104,8 @@ template <int n, typename Scalar>
   constexpr int digits = std::numeric_limits<Scalar>::digits;
   constexpr bool built_in = std::is_floating_point_v<Scalar> || is_lanes<Scalar>;
   if constexpr (built_in && digits < std::numeric_limits<long double>::digits) {
-    constexpr int terms = economized_terms(n, stumpff_reach, std::numeric_limits<Real>::epsilon() / Real(8));
+    constexpr int terms =
+        economized_terms(n, stumpff_reach, static_cast<long double>(std::numeric_limits<Real>::epsilon()) / 8);
     constexpr auto a = economized_series<Real, terms>(n, stumpff_reach);
     return polynomial(a, x);
   } else if constexpr (std::is_floating_point_v<Real>) {
@@ -117,16 +119,16 @@ template <int n, typename Scalar>
 
 /// h_n = c_n(x), n = 0 … N, for 0 ≤ x ≤ (π/2)²: the highest two by series, the others by h_n = 1/n! − x h_{n+2}.
 template <int N, typename Scalar>
-[[nodiscard]] inline std::array<Scalar, N + 1> stumpff_small(const Scalar& x) {
+[[nodiscard]] inline FixedArray<Scalar, N + 1> stumpff_small(const Scalar& x) {
   static_assert(N % 2 == 1 && N <= 7, "the recursion descends in steps of two");
   // From higher members than asked for, each needs fewer terms, and the low ones are as accurate as they can be.
   constexpr int top = N == 1 ? 3 : N < 5 ? 5 : N;
   constexpr std::array<int, 6> factorial{1, 1, 2, 6, 24, 120};
-  std::array<Scalar, top + 1> h;
+  FixedArray<Scalar, top + 1> h;
   h[top] = stumpff_series<top>(x);
   h[top - 1] = stumpff_series<top - 1>(x);
   for (std::size_t n = top - 1; n-- > 0;) h[n] = Constant<Scalar>(1) / Constant<Scalar>(factorial[n]) - x * h[n + 2];
-  std::array<Scalar, N + 1> result;
+  FixedArray<Scalar, N + 1> result;
   std::copy_n(h.begin(), N + 1, result.begin());
   return result;
 }
@@ -155,12 +157,12 @@ template <typename Scalar, std::size_t Size>
 
 /// c_n(X), n = 0 … N, by the closed forms, for θ > π, where they lose no more than a digit.
 template <int N, typename Scalar>
-[[nodiscard]] inline std::array<Scalar, N + 1> stumpff_large(const Scalar& X) {
+[[nodiscard]] inline FixedArray<Scalar, N + 1> stumpff_large(const Scalar& X) {
   using Real = Constant<Scalar>;
   using std::cos, std::sin, std::sqrt;
   const Scalar theta = sqrt(X);
   const Scalar chord = sin(theta / Real(2)) / theta;
-  std::array<Scalar, N + 1> c;
+  FixedArray<Scalar, N + 1> c;
   c[0] = cos(theta);
   c[1] = sin(theta) / theta;
   if constexpr (N > 1) c[2] = Real(2) * chord * chord;

@@ -22,8 +22,8 @@ struct TangentUnits {
 template <typename... F>
 struct TangentUnits<Product<F...>> {
   static void for_each(const auto& f) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (TangentUnits<F>::for_each([&](int first, int rows) { f(Product<F...>::template offset<I> + first, rows); }),
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (TangentUnits<F>::for_each([&](int first, int rows) { f(Product<F...>::template offset<Index> + first, rows); }),
        ...);
     }(std::index_sequence_for<F...>{});
   }

@@ -37,8 +37,9 @@ struct TurnAngle<Product<F...>> {
 
   [[nodiscard]] static ScalarOf<G> of(const Tangent<G>& delta) {
     ScalarOf<G> largest(0);
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      ((largest = std::max(largest, TurnAngle<F>::of(delta.template segment<DofOf<F>>(G::template offset<I>)))), ...);
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      ((largest = (std::max)(largest, TurnAngle<F>::of(delta.template segment<DofOf<F>>(G::template offset<Index>)))),
+       ...);
     }(std::index_sequence_for<F...>{});
     return largest;
   }

@@ -38,10 +38,10 @@ using WithScalar = typename WithScalarOf<G, S>::type;
 
 /// G over lanes is a group, too.
 template <typename G, typename L>
-concept HasLanes = requires { typename WithScalarOf<G, L>::type; };
+concept HasLanes = HasParameterLayout<G> && requires { typename WithScalarOf<G, L>::type; };
 
 /// x in numbers of type S, each rounded once: in all lanes, where S is Lanes.
-template <typename S, LieGroup G>
+template <typename S, HasParameterLayout G>
   requires requires { typename WithScalarOf<G, S>::type; }
 [[nodiscard]] inline WithScalar<G, S> with_scalar(const G& x) {
   std::array<ScalarOf<G>, parameter_count<G>> numbers;

@@ -51,8 +51,8 @@ struct BiasInstability {
   template <typename Normals>
   struct State {
     explicit State(StreamKey term)
-        : normals([&]<std::size_t... I>(std::index_sequence<I...>) {
-            return std::array<Normals, Stages>{Normals(term / I)...};
+        : normals([&]<std::size_t... Index>(std::index_sequence<Index...>) {
+            return std::array<Normals, Stages>{Normals(term / Index)...};
           }(std::make_index_sequence<Stages>{})) {
       values.fill(Vector3<Scalar>::Zero());
     }
@@ -64,13 +64,16 @@ struct BiasInstability {
   PerAxis<Scalar> coefficient;
   FlickerBand<Scalar> band;
 
-  /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞.
+  /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞ with a finite ratio.
   constexpr BiasInstability(const PerAxis<Scalar>& coefficient_, const FlickerBand<Scalar>& band_ = {})
       : coefficient(coefficient_), band(band_) {
     require_non_negative("BiasInstability", "coefficient B", coefficient);
     require_positive("BiasInstability", "shortest averaging time", band.shortest);
     require(is_finite(band.longest) && band.longest > band.shortest, "BiasInstability", "longest averaging time",
             band.longest, "a finite number above the shortest");
+    // The longest correlation time, and over the shortest.
+    require(is_finite(Scalar(2) * band.longest) && is_finite(Scalar(10) * band.longest / band.shortest),
+            "BiasInstability", "longest averaging time", band.longest, "one whose ratio to the shortest is finite");
   }
 
   /// The processes of the sum, the slowest first, and their steps for one sampling interval.

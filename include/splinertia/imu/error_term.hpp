@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// What an error term is. A term is a struct of parameters with
 ///
-///   struct State;                                        what changes from sample to sample, for one sensor in one
-///   run; template <typename Normals> struct State;            the same of a term that draws random numbers: made from
-///   its
+///   struct State;                                        what changes from sample to sample in one run
+///   template <typename Normals> struct State;            the same of a term that draws random numbers: made from its
 ///                                                        StreamKey, as Normals (NormalStreams) are
-///   void apply(Sample<Scalar>& sample, State&) const;    what the term does to a sample
+///   void apply(Sample<Scalar>& sample, State&) const;    what the term does to a sample; of a clock: Stamp<Scalar>&
 ///   static constexpr std::string_view name;              names its random streams, and the term to people
 ///   void describe(auto&& parameter) const;               calls parameter(name, value, unit) for each parameter, for
 ///                                                        describe.hpp; optional
@@ -13,11 +12,13 @@
 /// Parameters do not change, so that one model serves many runs and threads.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/imu/normal.hpp>
 #include <splinertia/imu/random_stream.hpp>
+#include <splinertia/imu/stamp.hpp>
 #include <string_view>
 
 namespace splinertia {
@@ -80,7 +81,7 @@ concept StochasticTerm = requires {
 };
 
 template <typename T>
-concept ErrorTerm = StochasticTerm<T> || requires { typename T::State; };
+concept TermWithState = StochasticTerm<T> || requires { typename T::State; };
 
 template <typename Term, BitGenerator Generator>
 struct TermState {
@@ -92,8 +93,71 @@ struct TermState<Term, Generator> {
 };
 
 /// The state of a term, with the generator that its random numbers come from.
-template <ErrorTerm Term, BitGenerator Generator = Xoshiro256>
+template <TermWithState Term, BitGenerator Generator = Xoshiro256>
 using StateOf = typename TermState<Term, Generator>::type;
+
+/// Whether a state can be made as a run begins: by itself, or of a term that draws random numbers from its StreamKey.
+template <typename T>
+concept TermWithStart =
+    TermWithState<T> &&
+    (StochasticTerm<T> ? std::constructible_from<StateOf<T>, StreamKey> : std::default_initializable<StateOf<T>>);
+
+/// Whether errors, a term or a model, can be applied to such a sample.
+template <typename Errors, typename AnySample, typename State>
+concept AppliesTo = requires(const Errors& errors, AnySample sample, State& state) {
+  errors.apply(static_cast<AnySample&&>(sample), state);
+};
+
+/// Becomes a Kind<Scalar>, Sample or Stamp, of whichever scalar a function asks for: one that it can change, or a copy.
+template <template <typename> typename Kind>
+struct OfAnyScalar {
+  template <typename Scalar>
+  operator Kind<Scalar>&() const;
+};
+template <template <typename> typename Kind>
+struct CopyOfAnyScalar {
+  template <typename Scalar>
+  operator Kind<Scalar>() const;
+};
+
+/// Whether errors can be applied to Samples, or Stamps, of some scalar, and can change them.
+template <typename Errors, typename State, template <typename> typename Kind>
+concept AppliesToSome = AppliesTo<Errors, Kind<double>&, State> || AppliesTo<Errors, OfAnyScalar<Kind>&, State>;
+
+/// Whether they take a copy of it, which takes their changes away: by value or as a reference to const.
+template <typename Errors, typename State, template <typename> typename Kind>
+concept AppliesToCopy = !AppliesTo<Errors, int, State> &&
+                        (AppliesTo<Errors, Kind<double>, State> || AppliesTo<Errors, CopyOfAnyScalar<Kind>, State>);
+
+/// An error term of a sensor, which changes a Sample.
+template <typename T>
+concept SensorTerm = TermWithStart<T> && AppliesToSome<T, StateOf<T>, Sample> && !AppliesToCopy<T, StateOf<T>, Sample>;
+
+/// An error term of a clock, which changes a Stamp.
+template <typename T>
+concept ClockTerm = TermWithStart<T> && AppliesToSome<T, StateOf<T>, Stamp> && !AppliesToCopy<T, StateOf<T>, Stamp>;
+
+template <typename T>
+concept ErrorTerm = SensorTerm<T> || ClockTerm<T>;
+
+/// Says in one line what a type lacks to be an error term; does not compile then.
+template <typename T>
+consteval bool check_error_term() {
+  static_assert(TermWithState<T>,
+                "an error term needs a State: write 'struct State {};' in it, or, where it draws random numbers, "
+                "'template <typename Normals> using State = Normals;' and 'static constexpr std::string_view name'");
+  if constexpr (TermWithState<T>) {
+    static_assert(TermWithStart<T>,
+                  "the State of an error term needs a constructor: without arguments, or, where the term draws random "
+                  "numbers, 'explicit State(StreamKey term) : normals(term) {}'");
+    if constexpr (TermWithStart<T>) {
+      static_assert(ErrorTerm<T>,
+                    "an error term needs 'void apply(Sample<double>& sample, State& state) const', a term of a clock "
+                    "'void apply(Stamp<double>& stamp, State& state) const'");
+    }
+  }
+  return true;
+}
 
 /// Coefficients that depend on the interval between samples alone: made anew only when it changes.
 template <typename Scalar, typename Coefficients>

@@ -5,6 +5,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <numeric>
+#include <splinertia/finite.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/lanes.hpp>
 #include <splinertia/motion/trajectory.hpp>
@@ -25,19 +27,26 @@ class IdealImuBlock {
   static constexpr std::size_t capacity = 64;  // some vectors of each segment of most curves; 4 KiB with the times
 
   /// The measurements at time(first), …, time(first + count − 1), count <= capacity, in ascending order and about
-  /// 1/rate seconds apart. `gravity` in the world, m/s².
-  [[gnu::noinline]] void fill(const C& curve, const Vector3<Scalar>& gravity, double rate, std::size_t first,
-                              std::size_t count, const auto& time) {
+  /// 1/rate seconds apart. `gravity` in the world, m/s². True if all are finite; false may be that sums overflow.
+  [[nodiscard, gnu::noinline]] bool fill(const C& curve, const Vector3<Scalar>& gravity, double rate, std::size_t first,
+                                         std::size_t count, const auto& time) {
     first_ = first;
     end_ = first + count;
     for (std::size_t i = 0; i < count; ++i) times_[i] = time(first + i);
     std::fill(times_.begin() + static_cast<std::ptrdiff_t>(count), times_.end(), times_[count - 1]);
     const typename Rows::Writer to(rows_);
-    evaluate_lanes<2>(curve, Times{times_.data(), rate}, 0, count, [to, gravity](std::size_t i, const auto& motion) {
-      const auto imu = ideal_imu(motion, with_scalar<typename LaneSegment<C>::L>(gravity));
-      to.template write<0, 3>(i, imu.gyro);
-      to.template write<3, 3>(i, imu.accel);
-    });
+    using L = typename LaneSegment<C>::L;
+    L sum(Scalar(0));
+    evaluate_lanes<2>(curve, Times{times_.data(), rate}, 0, count,
+                      [to, gravity, &sum](std::size_t i, const auto& motion) {
+                        const auto imu = ideal_imu(motion, with_scalar<L>(gravity));
+                        sum += finiteness(imu);
+                        to.template write<0, 3>(i, imu.gyro);
+                        to.template write<3, 3>(i, imu.accel);
+                      });
+    std::array<Scalar, lanes> sums;
+    sum.store(sums.data());
+    return is_finite(std::accumulate(sums.begin(), sums.end(), Scalar(0)));
   }
 
   /// Whether sample i is there, i >= the first.

@@ -7,10 +7,29 @@
 
 namespace splinertia {
 
+/// Whether a type is an error term, which an ErrorModel must be written around.
+template <typename T>
+inline constexpr bool is_term = ErrorTerm<T> && !SensorModel<T> && !ClockModel<T>;
+
 /// The errors of an IMU: of its two sensors, and of the stamps that its samples get. Imu{gyro, accel},
 /// Imu{gyro, accel, stamps}.
 template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>, typename Stamps = ErrorModel<>>
 struct Imu {
+  static_assert(!is_term<Gyro> && !is_term<Accel> && !is_term<Stamps>,
+                "an Imu has an ErrorModel for each sensor: Imu{ErrorModel{WhiteNoise{0.01}}, ErrorModel{}}");
+  static_assert(
+      SensorModel<Gyro> || is_term<Gyro>,
+      "the first part of an Imu is its gyroscope's ErrorModel; stamps' errors (ClockOffset, StampJitter, …) are "
+      "the third: Imu{gyro, accel, stamps}");
+  static_assert(
+      SensorModel<Accel> || is_term<Accel>,
+      "the second part of an Imu is its accelerometer's ErrorModel; stamps' errors (ClockOffset, StampJitter, …) "
+      "are the third: Imu{gyro, accel, stamps}");
+  static_assert(
+      ClockModel<Stamps> || is_term<Stamps>,
+      "the third part of an Imu is the ErrorModel of its stamps (ClockOffset, StampJitter, …): Imu{gyro, accel, "
+      "stamps}");
+
   [[no_unique_address]] Gyro gyro{};
   [[no_unique_address]] Accel accel{};
   [[no_unique_address]] Stamps stamps{};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <splinertia/imu/imu.hpp>
 #include <splinertia/imu/stamp.hpp>
+#include <splinertia/require.hpp>
 #include <splinertia/time.hpp>
 #include <type_traits>
 #include <utility>
@@ -32,7 +33,8 @@ class ImuErrors {
 
   /// Makes the reading of a measurement taken at `time`, `interval` s after the one before it (for the first: the
   /// sampling interval). False where it is dropped; then `reading` is left as it was. Stamps increase strictly: one
-  /// that jitter would put before the last one is right after that. Requires interval > 0.
+  /// that its errors would put before next_stamp() of the last is that. Requires interval > 0. Throws
+  /// std::invalid_argument for a stamp that is not finite.
   [[gnu::always_inline]] bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
                                     Reading& reading) {
     const bool first = first_;
@@ -49,7 +51,8 @@ class ImuErrors {
       imu_.stamps.apply(stamp, stamps_);
       if (stamp.dropped) return false;
       stamped = after(time, static_cast<double>(stamp.offset));
-      if (last_stamp_) stamped = std::max(stamped, next_time(*last_stamp_));
+      if (last_stamp_) stamped = (std::max)(stamped, next_stamp(*last_stamp_));
+      require_finite("ImuErrors", "stamp", printable(stamped));
       last_stamp_ = stamped;
       reading.true_time = time;
     }
@@ -62,11 +65,15 @@ class ImuErrors {
   }
 
  private:
-  template <typename Model>
-  using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
-  using GyroState = StateOfModel<decltype(Sensors::gyro)>;
-  using AccelState = StateOfModel<decltype(Sensors::accel)>;
-  using StampsState = StateOfModel<decltype(Sensors::stamps)>;
+  using GyroState = StateOfModel<decltype(Sensors::gyro), Generator>;
+  using AccelState = StateOfModel<decltype(Sensors::accel), Generator>;
+  using StampsState = StateOfModel<decltype(Sensors::stamps), Generator>;
+  static_assert(
+      AppliesTo<decltype(Sensors::gyro), Sample<Scalar>&, GyroState> &&
+          AppliesTo<decltype(Sensors::accel), Sample<Scalar>&, AccelState> &&
+          AppliesTo<decltype(Sensors::stamps), Stamp<Scalar>&, StampsState>,
+      "the error terms have another scalar than the motion: WhiteNoise{0.01} is of doubles, WhiteNoise{0.01F} "
+      "of floats");
   struct Nothing {};
 
   // States are moved in, not made in place: what a function that is not inlined has had the address of can no longer be

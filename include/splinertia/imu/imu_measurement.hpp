@@ -12,4 +12,10 @@ struct ImuMeasurement {
   Vector3<Scalar> accel;  ///< specific force, m/s²
 };
 
+/// A number that is finite if all of a measurement are and their sum does not overflow.
+template <typename Scalar>
+[[nodiscard, gnu::always_inline]] inline Scalar finiteness(const ImuMeasurement<Scalar>& m) {
+  return (m.gyro + m.accel).sum();
+}
+
 }  // namespace splinertia

@@ -47,6 +47,11 @@ constexpr void require_positive(const char* term, const char* parameter, const P
 }
 
 template <typename Scalar>
+constexpr void require_factor(const char* term, const char* parameter, const PerAxis<Scalar>& values) {
+  for (const Scalar& value : values) require_factor(term, parameter, value);
+}
+
+template <typename Scalar>
 void require_finite(const char* term, const char* parameter, const Matrix3<Scalar>& values) {
   for (int i = 0; i < 9; ++i) require_finite(term, parameter, values(i / 3, i % 3));
 }

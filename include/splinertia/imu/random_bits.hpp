@@ -13,7 +13,7 @@ namespace splinertia {
 /// What std::uniform_random_bit_generator asks for, without the weight of <random>.
 template <typename G>
 concept BitGenerator = std::move_constructible<G> && std::unsigned_integral<std::invoke_result_t<G&>> &&
-                       requires { requires G::min() < G::max(); };
+                       requires { requires(G::min)() < (G::max)(); };
 
 /// 64 random bits at a time from any uniform random bit generator that can be moved and seeded: with the key itself if
 /// it takes one, else with the key's hash, as the engines of <random> are (those with 32-bit seeds use half of it).
@@ -35,8 +35,8 @@ class RandomBits {
 
  private:
   using Result = std::invoke_result_t<Generator&>;
-  static constexpr std::uint64_t range = static_cast<std::uint64_t>(Generator::max() - Generator::min());
-  static constexpr int bits = range == std::numeric_limits<std::uint64_t>::max() ? 64 : std::bit_width(range + 1) - 1;
+  static constexpr std::uint64_t range = static_cast<std::uint64_t>((Generator::max)() - (Generator::min)());
+  static constexpr int bits = range == (std::numeric_limits<std::uint64_t>::max)() ? 64 : std::bit_width(range + 1) - 1;
 
   static constexpr Generator make(StreamKey key) {
     if constexpr (std::constructible_from<Generator, StreamKey>) {
@@ -50,7 +50,7 @@ class RandomBits {
 
   constexpr std::uint64_t some() {
     while (true) {
-      const auto value = static_cast<std::uint64_t>(generator_() - Generator::min());
+      const auto value = static_cast<std::uint64_t>(generator_() - (Generator::min)());
       if (value >> bits == 0) return value;
     }
   }

@@ -57,8 +57,8 @@ class Xoshiro256 {
   constexpr explicit Xoshiro256(StreamKey key) {
     for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = (key / i).hash();
   }
-  static constexpr result_type min() { return 0; }
-  static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
+  static constexpr result_type(min)() { return 0; }
+  static constexpr result_type(max)() { return (std::numeric_limits<result_type>::max)(); }
 
   [[gnu::always_inline]] constexpr result_type operator()() {
     auto& [a, b, c, d] = state_;

@@ -43,13 +43,15 @@ struct RandomVibration {
   PerAxis<Scalar> natural_frequency;
   PerAxis<Scalar> damping_ratio;
 
-  /// Throws std::invalid_argument unless the deviation is finite and >= 0 and the others are finite and > 0.
+  /// Throws std::invalid_argument unless the deviation is finite and >= 0, the others are finite and > 0, and the
+  /// third power of the damping ratio is finite.
   constexpr RandomVibration(const PerAxis<Scalar>& standard_deviation_, const PerAxis<Scalar>& natural_frequency_,
                             const PerAxis<Scalar>& damping_ratio_)
       : standard_deviation(standard_deviation_), natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
     require_non_negative("RandomVibration", "standard deviation", standard_deviation);
     require_positive("RandomVibration", "natural frequency", natural_frequency);
     require_positive("RandomVibration", "damping ratio", damping_ratio);
+    require_factor("RandomVibration", "damping ratio", damping_ratio);
   }
 
   void apply(Sample<Scalar>& sample, auto& state) const {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/sample_rows.hpp>
 #include <splinertia/spline/lane_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
+#include <utility>
 
 namespace splinertia {
 
@@ -39,11 +40,15 @@ class ImuSamples {
   [[nodiscard]] SampleIterator<ImuSamples> begin() const { return {*this, 0}; }
   [[nodiscard]] SampleIterator<ImuSamples> end() const { return {*this, size()}; }
 
-  /// Angular velocity [rad/s] and specific force [m/s²] in B, 3 × size().
-  [[nodiscard]] auto gyro() const { return rows_.template rows<3>(0); }
-  [[nodiscard]] auto accel() const { return rows_.template rows<3>(3); }
+  /// Angular velocity [rad/s] and specific force [m/s²] in B, 3 × size(): where they are kept, or of
+  /// a temporary, a copy.
+  [[nodiscard]] auto gyro() const& { return rows_.template rows<3>(0); }
+  [[nodiscard]] auto gyro() && { return std::move(rows_).template rows<3>(0); }
+  [[nodiscard]] auto accel() const& { return rows_.template rows<3>(3); }
+  [[nodiscard]] auto accel() && { return std::move(rows_).template rows<3>(3); }
   /// The numbers of the poses (group/parameters.hpp), parameters × size().
-  [[nodiscard]] auto pose() const { return rows_.template rows<parameters>(6); }
+  [[nodiscard]] auto pose() const& { return rows_.template rows<parameters>(6); }
+  [[nodiscard]] auto pose() && { return std::move(rows_).template rows<parameters>(6); }
 
   class Writer {
    public:
@@ -52,7 +57,7 @@ class ImuSamples {
     /// Sample i, or where H is G in lanes, those from i on.
     template <Pose H>
     void write(std::size_t i, const ImuMeasurement<ScalarOf<H>>& imu, const H& pose) const {
-      std::array<ScalarOf<H>, parameters> numbers;
+      FixedArray<ScalarOf<H>, parameters> numbers;
       write_parameters(pose, numbers.data());
       rows_.template write<0, 3>(i, imu.gyro);
       rows_.template write<3, 3>(i, imu.accel);

@@ -36,11 +36,12 @@ struct SecondOrderBandwidth {
   PerAxis<Scalar> natural_frequency;
   PerAxis<Scalar> damping_ratio;
 
-  /// Throws std::invalid_argument unless both are finite and > 0.
+  /// Throws std::invalid_argument unless both are finite and > 0, and the third power of the damping ratio finite.
   constexpr SecondOrderBandwidth(const PerAxis<Scalar>& natural_frequency_, const PerAxis<Scalar>& damping_ratio_)
       : natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
     require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
     require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
+    require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
   }
 
   void apply(Sample<Scalar>& sample, State& state) const {
@@ -84,8 +85,8 @@ struct SecondOrderBandwidth {
   [[nodiscard]] static Step make_step(const Scalar& a, const Scalar& damping) {
     using Matrix = Eigen::Matrix<Scalar, 2, 2>;
     using Vector = Eigen::Matrix<Scalar, 2, 1>;
-    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                    // follows at once
-    if (!(a > std::numeric_limits<Scalar>::min())) return {Matrix::Identity(), Vector::Zero()};  // never moves
+    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                      // follows at once
+    if (!(a > (std::numeric_limits<Scalar>::min)())) return {Matrix::Identity(), Vector::Zero()};  // never moves
     const Scalar step_response = oscillator_step_response<Scalar>(a, damping);
     const Matrix transition = oscillator_transition<Scalar>(a, damping);
     const Scalar ramp = Scalar(1) - (Scalar(2) * damping * step_response + transition(0, 1)) / a;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <splinertia/finite.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/imu/reproducible_math.hpp>
 
@@ -13,10 +14,12 @@ namespace splinertia {
 ///   e^{−ζa} [ C + ζaS, aS; −aS, C − ζaS ],  C = cos b, S = sin b/b, b = a√(1 − ζ²), or cosh, sinh for ζ > 1.
 ///
 /// Absolute error a few eps for every a and ζ (times 1/ζ, where that is more: the phase b after many turns is rounded).
-/// The growing exponentials of an overdamped oscillator are never formed.
+/// The growing exponentials of an overdamped oscillator are never formed. The third power of ζ is finite.
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, 2, 2> oscillator_transition(const Scalar& a, const Scalar& damping_ratio) {
   using std::sqrt;
+  // All has decayed: a/2ζ is large, too.
+  if (!is_finite(a) || !is_finite(damping_ratio * a)) return Eigen::Matrix<Scalar, 2, 2>::Zero();
   Scalar C, S;  // with e^{−ζa} in them
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));

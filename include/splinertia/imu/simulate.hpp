@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/flatten.hpp>
 #include <splinertia/imu/ideal_block.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
@@ -15,6 +16,7 @@
 #include <splinertia/imu/imu_errors.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/refuse.hpp>
+#include <splinertia/require.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -53,21 +55,24 @@ class Simulation {
         imu_(options.imu),
         start_(options.start.value_or(motion_.start())),
         end_(options.end.value_or(motion_.end())) {
-    if (!(rate_ > 0 && rate_ <= std::numeric_limits<double>::max())) {
+    if (!(rate_ > 0 && splinertia::is_finite(rate_))) {
       refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected a positive finite number");
     }
+    if (const auto interval = static_cast<Scalar>(1 / rate_);
+        !(interval > Scalar(0) && splinertia::is_finite(interval)))
+      refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected one whose inverse is finite and not 0");
+    for (int axis = 0; axis < 3; ++axis) require_finite("simulate", "gravity", gravity_[axis]);
+    if (options.start) require_finite("simulate", "start", printable(start_));
+    if (options.end) require_finite("simulate", "end", printable(end_));
     if (!(motion_.start() <= start_ && start_ <= end_ && end_ <= motion_.end())) {
       refuse<std::invalid_argument>("simulate: samples wanted from ", printable(start_), " to ", printable(end_),
                                     ", the motion is defined from ", printable(motion_.start()), " to ",
                                     printable(motion_.end()));
     }
-    const double duration = to_seconds<double>(end_ - start_);
-    if (!(duration <= std::numeric_limits<double>::max())) {
+    if (!(splinertia::is_finite(start_) && splinertia::is_finite(end_))) {
       refuse<std::invalid_argument>("simulate: the motion has no bounds, expected options .start and .end");
     }
-    // A sample that rounding alone puts behind the end still belongs to the run.
-    const double intervals = duration * rate_;
-    size_ = static_cast<std::size_t>(intervals * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1;
+    size_ = count_samples();
   }
 
   /// The number of samples taken: both ends are sampled where they fall on one. Fewer arrive where some are dropped.
@@ -104,14 +109,17 @@ class Simulation {
       for (; index_ < size_; ++index_) {
         if constexpr (LaneCurve<Trajectory>) {
           if (!ahead_.holds(index_)) {
-            ahead_.fill(s.motion_, s.gravity_, s.rate_, index_, std::min(size_ - index_, ahead_.capacity),
-                        [&s](std::size_t i) { return s.time(i); });
+            const std::size_t count = (std::min)(size_ - index_, ahead_.capacity);
+            if (!ahead_.fill(s.motion_, s.gravity_, s.rate_, index_, count, [&s](std::size_t i) { return s.time(i); }))
+                [[unlikely]]
+              s.check(index_, count);
           }
           if (errors_.apply(ahead_.time(index_), ahead_[index_], interval_, reading_)) return;
         } else {
           const Time time = s.time(index_);
-          const auto ideal =
-              flattened<Scalar>([&s, time] { return ideal_imu(s.motion_.template evaluate<2>(time), s.gravity_); });
+          const auto ideal = s.ideal(time);
+          if (!splinertia::is_finite(finiteness(ideal))) [[unlikely]]
+            s.refuse_sample(index_);
           if (errors_.apply(time, ideal, interval_, reading_)) return;
         }
       }
@@ -153,6 +161,59 @@ class Simulation {
   // Not inlined, so that loops over the samples have the code that makes one only once.
   [[nodiscard, gnu::noinline]] Iterator first_sample() const { return Iterator(*this); }
 
+  // Both ends, where they fall on a sample.
+  [[nodiscard]] std::size_t count_samples() const {
+    constexpr double most = (std::min)(0x1p53, static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()));
+    check_span("simulate", "samples", start_, end_);
+    const double duration = to_seconds<double>(end_ - start_), intervals = duration * rate_;
+    if (!(intervals < most)) {
+      refuse<std::invalid_argument>("simulate: ", rate_, " Hz for ", duration, " s makes ", intervals,
+                                    " samples, expected fewer than ", most);
+    }
+    // A sample that rounding alone puts behind the end still belongs to the run.
+    const auto size = static_cast<std::size_t>(intervals * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1;
+    if (size > 1 && !(1 / rate_ >= resolution())) {
+      refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected samples at least ", resolution(),
+                                    " s apart, which the clock can tell from each other");
+    }
+    return size;
+  }
+
+  // By how much times of the run must differ to be different numbers, s.
+  [[nodiscard]] double resolution() const {
+    if constexpr (std::floating_point<Time>) {
+      // Three roundings of elapsed time and sum, each of two times: below 4 units in the last place.
+      return static_cast<double>(4 * std::numeric_limits<Time>::epsilon() *
+                                 (std::max)(std::abs(start_), std::abs(end_)));
+    } else {
+      return to_seconds<double>(Time(1));
+    }
+  }
+
+  [[nodiscard, gnu::always_inline]] ImuMeasurement<Scalar> ideal(Time time) const {
+    return flattened<Scalar>([this, time] { return ideal_imu(motion_.template evaluate<2>(time), gravity_); });
+  }
+
+  // Throws if the motion gives what is not finite at one of the samples first … first + count − 1.
+  [[gnu::cold, gnu::noinline]] void check(std::size_t first, std::size_t count) const {
+    for (std::size_t i = first; i < first + count; ++i) {
+      const ImuMeasurement<Scalar> m = ideal(time(i));
+      for (const auto& [name, reading] : {std::pair("gyro", m.gyro), std::pair("accel", m.accel)}) {
+        for (int axis = 0; axis < 3; ++axis) {
+          if (splinertia::is_finite(reading[axis])) continue;
+          refuse<std::invalid_argument>("simulate: the motion gives ", name, ' ', "xyz"[axis], " = ", reading[axis],
+                                        " at sample ", i, ", time ", printable(time(i)), ", expected a finite number");
+        }
+      }
+    }
+  }
+  // Does not return, so that nothing of the loop that calls it needs to outlive the call.
+  [[noreturn, gnu::cold, gnu::noinline]] void refuse_sample(std::size_t i) const {
+    check(i, 1);
+    refuse<std::invalid_argument>("simulate: the motion gives readings whose sum overflows at sample ", i, ", time ",
+                                  printable(time(i)));
+  }
+
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
   [[no_unique_address]] Sensors sensors_;
   Vector3<Scalar> gravity_;
@@ -171,7 +232,9 @@ class Simulation {
 /// with r.time, r.gyro, r.accel, r.gyro_bias, r.accel_bias, and r.true_time where the stamps have errors. Random
 /// numbers come from Generator, any uniform random bit generator: simulate<std::mt19937_64>(…). A motion passed as an
 /// lvalue is referred to and must outlive the simulation; a temporary is kept inside.
-/// Throws std::invalid_argument for a rate that is not positive and finite, times outside the motion, or no bounds.
+/// Throws std::invalid_argument for a rate that is not positive and finite or too high for the clock to tell samples
+/// apart, gravity that is not finite, times outside the motion, or no bounds; while it runs for a motion that gives
+/// readings that are not finite, and for stamps that are not.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
 [[nodiscard]] Simulation<Motion, Sensors, Generator> simulate(

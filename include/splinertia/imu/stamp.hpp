@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/time.hpp>
+
+#include <cmath>
+#include <limits>
 
 namespace splinertia {
 
@@ -15,5 +18,17 @@ struct Stamp {
   bool first;       ///< whether it is the first of its run
   Scalar elapsed;   ///< true time since the first sample, s
 };
+
+/// The earliest stamp that a clock gives after another: a tick later, or of seconds a nanosecond, the unit of the
+/// field's files, as far as a number of that size resolves it. To nanoseconds the two are rounded differently.
+template <TimePoint Time>
+[[nodiscard]] Time next_stamp(Time stamp) {
+  if constexpr (std::floating_point<Time>) {
+    // A quarter more than a nanosecond and four units in the last place: what rounding can take away.
+    return stamp + (Time(5) / Time(4'000'000'000) + Time(4) * std::numeric_limits<Time>::epsilon() * std::abs(stamp));
+  } else {
+    return next_time(stamp);
+  }
+}
 
 }  // namespace splinertia

@@ -19,11 +19,12 @@ template <typename Scalar = double>
 struct WarmUp {
   Scalar initial, final, time_constant;
 
-  /// Throws std::invalid_argument unless the temperatures are finite and the time constant finite and > 0.
+  /// Throws std::invalid_argument unless the temperatures and their third powers are finite, and the time constant is
+  /// finite and > 0.
   constexpr WarmUp(const Scalar& initial_, const Scalar& final_, const Scalar& time_constant_)
       : initial(initial_), final(final_), time_constant(time_constant_) {
-    require_finite("WarmUp", "initial temperature", initial);
-    require_finite("WarmUp", "final temperature", final);
+    require_factor("WarmUp", "initial temperature", initial);
+    require_factor("WarmUp", "final temperature", final);
     require_positive("WarmUp", "time constant", time_constant);
   }
 

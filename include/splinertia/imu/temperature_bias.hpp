@@ -19,12 +19,12 @@ struct TemperatureBias {
   Profile temperature;
   Scalar reference;
 
-  /// Throws std::invalid_argument unless the numbers are finite.
+  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
   constexpr TemperatureBias(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
                             const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
-    require_finite("TemperatureBias", "coefficient", coefficient);
-    require_finite("TemperatureBias", "reference temperature", reference);
+    require_factor("TemperatureBias", "coefficient", coefficient);
+    require_factor("TemperatureBias", "reference temperature", reference);
   }
 
   void apply(Sample<Scalar>& sample, State&) const {

@@ -20,12 +20,12 @@ struct TemperatureScale {
   Profile temperature;
   Scalar reference;
 
-  /// Throws std::invalid_argument unless the numbers are finite.
+  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
   constexpr TemperatureScale(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
                              const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
-    require_finite("TemperatureScale", "coefficient", coefficient);
-    require_finite("TemperatureScale", "reference temperature", reference);
+    require_factor("TemperatureScale", "coefficient", coefficient);
+    require_factor("TemperatureScale", "reference temperature", reference);
   }
 
   void apply(Sample<Scalar>& sample, State&) const {

@@ -6,11 +6,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <chrono>
-#include <concepts>
 #include <filesystem>
 #include <ranges>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
@@ -88,16 +88,16 @@ class EurocGroundtruthWriter {
  public:
   explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, euroc_groundtruth_layout) {}
 
-  /// One state: an EurocState or anything with its members, whichever kind of pose of doubles it keeps.
-  void append(const auto& state)
-    requires std::convertible_to<decltype(state.time), std::chrono::nanoseconds>
-  {
+  /// One state: an EurocState or anything with its members, whichever kind of time (WithTime) and of pose of doubles it
+  /// keeps.
+  void append(const WithTime auto& state) {
     const Eigen::Quaterniond& q = rotation(state.pose).unit_quaternion();
     table_.append(state.time, position(state.pose), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,
                   state.gyro_bias, state.accel_bias);
   }
 
-  void commit() { table_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { table_.commit(set...); }
 
  private:
   StampedTableWriter table_;

@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <chrono>
-#include <concepts>
 #include <filesystem>
 #include <ranges>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
 #include <splinertia/io/table_layout.hpp>
@@ -48,17 +48,14 @@ class EurocImuWriter {
  public:
   explicit EurocImuWriter(const std::filesystem::path& path) : table_(path, euroc_imu_layout) {}
 
-  /// One sample: anything with time (integer nanoseconds), gyro [rad/s] and accel [m/s²].
-  void append(const auto& sample)
-    requires std::convertible_to<decltype(sample.time), std::chrono::nanoseconds>
-  {
-    table_.append(sample.time, sample.gyro, sample.accel);
-  }
+  /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
+  void append(const WithTime auto& sample) { table_.append(sample.time, sample.gyro, sample.accel); }
 
   /// A line that read_euroc_imu passes over, `# ` and the text, where the next sample comes.
   void comment(std::string_view text) { table_.comment(text); }
 
-  void commit() { table_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { table_.commit(set...); }
 
  private:
   StampedTableWriter table_;

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/input_file.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
@@ -36,7 +38,7 @@ inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
   dict += message(rows, ",), }");
   dict.resize(size - npy_preamble - 1, ' ');
   dict += '\n';
-  assert(dict.size() <= std::numeric_limits<std::uint16_t>::max());
+  assert(dict.size() <= (std::numeric_limits<std::uint16_t>::max)());
   std::string header(npy_magic);
   header += static_cast<char>(static_cast<unsigned char>(dict.size() % 256));
   header += static_cast<char>(static_cast<unsigned char>(dict.size() / 256));
@@ -101,11 +103,12 @@ class NpyWriter {
     ++rows_;
   }
 
-  /// Completes the file; std::invalid_argument if it has no records.
-  void commit() {
+  /// Completes the file; std::invalid_argument if it has no records. It appears now, or together with the others of a
+  /// set.
+  void commit(std::same_as<FileSet> auto&... set) {
     if (rows_ == 0) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
     file_.overwrite_begin(npy_header(dtype_, rows_));
-    file_.commit();
+    file_.commit(set...);
   }
 
   /// To give up.

@@ -7,19 +7,22 @@
 
 #include <Eigen/Core>
 #include <chrono>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ranges>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/euroc_imu.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/little_endian.hpp>
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace splinertia {
@@ -35,11 +38,11 @@ class NpyImuWriter {
  public:
   explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, npy_imu_dtype) {}
 
-  /// One sample: anything with time (integer nanoseconds), gyro [rad/s] and accel [m/s²].
-  void append(const auto& sample)
-    requires std::convertible_to<decltype(sample.time), std::chrono::nanoseconds>
-  {
-    const std::chrono::nanoseconds time = sample.time;
+  /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
+  void append(const WithTime auto& sample) {
+    if constexpr (!is_integer_duration<std::remove_cvref_t<decltype(sample.time)>>)
+      refuse_unless_finite(static_cast<double>(sample.time));
+    const std::chrono::nanoseconds time = to_nanoseconds(sample.time);
     if (time_ && time <= *time_) {
       npy_.file().abandon();
       throw std::invalid_argument(message(npy_.file().path().string(), ": time ", time.count(), " ns follows ",
@@ -51,14 +54,18 @@ class NpyImuWriter {
     npy_.advance(store(end, sample.accel));
   }
 
-  /// Completes the file.
-  void commit() { npy_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { npy_.commit(set...); }
 
  private:
+  void refuse_unless_finite(double value) {
+    if (!is_finite(value)) npy_.file().refuse(value);
+  }
+
   [[nodiscard]] char* store(char* to, const auto& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = vector[axis];
-      if (!has_finite_bits(value)) npy_.file().refuse(value);
+      refuse_unless_finite(value);
       to = store_little_endian(to, value);
     }
     return to;
@@ -86,7 +93,7 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
     Eigen::Vector3d result;
     for (int axis = 0; axis < 3; ++axis) {
       result[axis] = load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
-      if (has_finite_bits(result[axis])) continue;
+      if (is_finite(result[axis])) continue;
       char text[number_text_size];
       const std::string_view value(text, static_cast<std::size_t>(real_to_chars(text, result[axis]) - text));
       file.fail_row(name, '[', axis, "] is ", value, ", expected a finite number");

@@ -2,10 +2,9 @@
 /// Numbers and their decimal text, both ways, whatever the locale says. Strict: a text is the number and nothing else.
 #pragma once
 
-#include <bit>
 #include <charconv>
 #include <cstdint>
-#include <limits>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/detail/short_decimal.hpp>
 #include <string_view>
 #include <system_error>
@@ -34,13 +33,6 @@ struct Parsed {
 /// Room that real_to_chars and integer_to_chars need.
 inline constexpr int number_text_size = 32;
 
-/// Neither infinite nor NaN, seen in the bits of the exponent, since -ffast-math does not know of NaN.
-[[nodiscard]] inline bool has_finite_bits(double value) {
-  static_assert(sizeof(double) == 8 && std::numeric_limits<double>::digits == 53);
-  constexpr std::uint64_t exponent = std::uint64_t{0x7FF} << 52;
-  return (std::bit_cast<std::uint64_t>(value) & exponent) != exponent;
-}
-
 #if !defined(__cpp_lib_to_chars)
 /// The "C" locale, where the decimal point is a point.
 [[nodiscard]] inline ::locale_t c_locale() {
@@ -56,8 +48,7 @@ inline constexpr int number_text_size = 32;
   if (text.find_first_of("xX") != std::string::npos) return {first, std::errc::invalid_argument};
   char* end = nullptr;
   value = ::strtod_l(text.c_str(), &end, c_locale());
-  const bool fits = value >= std::numeric_limits<double>::lowest() && value <= std::numeric_limits<double>::max();
-  return {first + (end - text.c_str()), fits ? std::errc{} : std::errc::result_out_of_range};
+  return {first + (end - text.c_str()), is_finite(value) ? std::errc{} : std::errc::result_out_of_range};
 }
 
 /// Stands in for std::to_chars: 17 digits instead of the fewest.

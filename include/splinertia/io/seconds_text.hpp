@@ -26,7 +26,7 @@ struct DecimalText {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const std::size_t e = text.find_first_of("eE");
   const std::string_view mantissa = text.substr(0, e);
-  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const std::size_t point = (std::min)(mantissa.find('.'), mantissa.size());
   const auto digits = static_cast<std::size_t>(std::count_if(mantissa.begin(), mantissa.end(), is_digit));
   if (digits == 0 || digits + (point < mantissa.size() ? 1 : 0) != mantissa.size()) return bad;
   if (e == std::string_view::npos) return {{mantissa, static_cast<std::int64_t>(point)}};
@@ -50,7 +50,7 @@ struct DecimalText {
   if (decimal.problem) return {{}, places == 0 ? decimal.problem : "is not a number"};
 
   // The first `kept` digits are whole nanoseconds, the next one rounds. Counted downwards, to reach the lowest value.
-  constexpr std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  constexpr std::int64_t lowest = (std::numeric_limits<std::int64_t>::min)();
   const std::int64_t kept = decimal.value.point + 9 - places;
   std::int64_t count = 0, position = 0;
   for (const char c : decimal.value.mantissa) {

@@ -168,7 +168,7 @@ template <typename Parse>
   while (table.next()) {
     if (rows.size() == rows.capacity() && rows.size() >= 256) {  // enough of them for a guess of the rest
       const std::size_t expected = table.expected_rows(rows.size());
-      rows.reserve(std::max(expected + expected / 64, 2 * rows.size()));
+      rows.reserve((std::max)(expected + expected / 64, 2 * rows.size()));
     }
     rows.push_back(parse(std::as_const(table)));
   }

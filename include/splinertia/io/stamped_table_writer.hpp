@@ -4,18 +4,28 @@
 #include <Eigen/Core>
 #include <cassert>
 #include <chrono>
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace splinertia {
+
+/// Has a `time` in seconds or as an integer duration. Files have whole nanoseconds: seconds go to the nearest.
+template <typename T>
+concept WithTime = TimePoint<std::remove_cvref_t<decltype(std::declval<const T&>().time)>>;
 
 /// Writes a table row by row, so that a long one needs no memory. The file appears with commit(). What StampedTable
 /// would refuse is refused here with std::invalid_argument: NaN, infinity, times that do not increase, no rows at all.
@@ -29,9 +39,10 @@ class StampedTableWriter {
     file_.append('\n');
   }
 
-  /// One row: a time and column vectors, whose elements together fill the columns.
-  template <typename... Vector>
-  void append(std::chrono::nanoseconds time, const Vector&... values) {
+  /// One row: a time, to the nearest nanosecond, and column vectors, whose elements together fill the columns.
+  template <TimePoint Time, typename... Vector>
+  void append(Time row_time, const Vector&... values) {
+    const std::chrono::nanoseconds time = file_time(row_time);
     assert(static_cast<std::size_t>((1 + ... + values.size())) == layout_.columns.size());
     if (time_ && time <= *time_) {
       file_.abandon();
@@ -55,17 +66,25 @@ class StampedTableWriter {
     file_.append('\n');
   }
 
-  /// Completes the file.
-  void commit() {
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) {
     if (!time_) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
-    file_.commit();
+    file_.commit(set...);
   }
 
  private:
+  template <TimePoint Time>
+  [[nodiscard]] std::chrono::nanoseconds file_time(Time time) {
+    if constexpr (std::floating_point<Time>) {
+      if (!is_finite(time)) file_.refuse(static_cast<double>(time));
+    }
+    return to_nanoseconds(time);
+  }
+
   [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double value = values[i];
-      if (!has_finite_bits(value)) file_.refuse(value);
+      if (!is_finite(value)) file_.refuse(value);
       *to++ = layout_.separator;
       to = real_to_chars(to, value);
     }

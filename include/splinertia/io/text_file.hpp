@@ -108,7 +108,7 @@ class TextFile {
   [[nodiscard]] double progress() const {
     const std::uintmax_t behind = read_ - static_cast<std::uintmax_t>(end_ - begin_);
     if (file_.size() == 0) return 0;
-    return std::min(1.0, static_cast<double>(behind) / static_cast<double>(file_.size()));
+    return (std::min)(1.0, static_cast<double>(behind) / static_cast<double>(file_.size()));
   }
 
   /// The name of the file, for messages.
@@ -146,7 +146,7 @@ class TextFile {
   [[nodiscard]] bool read_on() {
     const auto left = static_cast<std::size_t>(end_ - begin_);
     if (2 * left > buffer_.size() || buffer_.empty()) {
-      std::vector<char> larger(std::max(block, 2 * buffer_.size()));
+      std::vector<char> larger((std::max)(block, 2 * buffer_.size()));
       std::copy(begin_, end_, larger.begin());
       buffer_ = std::move(larger);
     } else {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -21,6 +20,7 @@
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory_format.hpp>
 #include <splinertia/message.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -75,8 +75,15 @@ class RowTimes {
   }
 
   [[nodiscard]] std::chrono::nanoseconds operator[](std::size_t row) const {
-    if (rate_) return std::chrono::nanoseconds{std::llround(static_cast<double>(row) * 1e9 / *rate_)};
+    if (rate_) return at_rate(row);
     return row < times_.size() ? times_[row] : std::chrono::nanoseconds{};
+  }
+
+  [[nodiscard]] std::chrono::nanoseconds at_rate(std::size_t row) const {
+    const double time = static_cast<double>(row) / *rate_, most = 9e9;  // s; 64 bits of nanoseconds are 9.2e9
+    if (time <= most) return to_ticks<std::chrono::nanoseconds>(time);
+    throw std::runtime_error(
+        message("at ", *rate_, " Hz row ", row, " has the time ", time, " s, expected at most ", most));
   }
 
   void require_rows(const TextFile& file, std::size_t rows) const {

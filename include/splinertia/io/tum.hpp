@@ -4,12 +4,12 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <concepts>
 #include <filesystem>
 #include <ranges>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
@@ -19,10 +19,9 @@
 
 namespace splinertia {
 
-/// Has a `time` in integer nanoseconds and a pose T_WB of doubles as `value`.
+/// Has a `time` (WithTime) and a pose T_WB of doubles as `value`.
 template <typename T>
-concept StampedPose = requires(const T& stamped) {
-  { stamped.time } -> std::convertible_to<std::chrono::nanoseconds>;
+concept StampedPose = WithTime<T> && requires(const T& stamped) {
   { position(stamped.value) } -> std::same_as<const Vector3<double>&>;
 };
 
@@ -47,8 +46,8 @@ inline constexpr TableLayout tum_layout{.format = "a TUM trajectory",
 }
 
 /// Writes a TUM file pose by pose, in constant memory; the file appears with commit() and reads back to the same bits.
-/// Times have nine decimals and are exact. Members throw std::runtime_error if the file cannot be written,
-/// std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
+/// Times have nine decimals; those in nanoseconds are exact. Members throw std::runtime_error if the file cannot be
+/// written, std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
 class TumWriter {
  public:
   explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
@@ -57,7 +56,8 @@ class TumWriter {
     table_.append(stamped.time, position(stamped.value), rotation(stamped.value).unit_quaternion().coeffs());
   }
 
-  void commit() { table_.commit(); }
+  /// Completes the file. It appears now, or together with the others of a set.
+  void commit(std::same_as<FileSet> auto&... set) { table_.commit(set...); }
 
  private:
   StampedTableWriter table_;

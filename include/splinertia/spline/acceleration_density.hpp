@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <splinertia/group/lie_group.hpp>
@@ -29,8 +30,8 @@ struct Anchors {
   double step = 0;
   for (std::ptrdiff_t i = from; i >= 0 && i < std::ssize(parts) && anchors.size() < most; i += direction) {
     const auto& part = parts[static_cast<std::size_t>(i)];
-    const double length = part.end - part.start, guard = std::min(knot_interval, length / 3);
-    if (i == from) step = std::max(knot_interval, std::min(longest_step, (length - guard) / 2));
+    const double length = part.end - part.start, guard = (std::min)(knot_interval, length / 3);
+    if (i == from) step = (std::max)(knot_interval, (std::min)(longest_step, (length - guard) / 2));
     if (length < step) {
       anchors.push_back(part.start + length / 2);
       continue;
@@ -58,7 +59,7 @@ class AccelerationDensity {
   using Scalar = typename Curve::Scalar;
 
   /// `deviation` is σ. Keeps the curve by reference.
-  AccelerationDensity(const Curve& curve, const Tangent<G>& deviation)
+  AccelerationDensity(std::reference_wrapper<const Curve> curve, const Tangent<G>& deviation)
       : curve_(curve), variance_(deviation.cwiseAbs2()) {}
 
   /// None if there are too few anchors for any change of slope.
@@ -81,14 +82,14 @@ class AccelerationDensity {
   /// both sides, and that of the acceleration which the cubic across the span has at its ends. Motion that is smooth
   /// within the span changes its slope by less at shorter times than a second derivative of white noise would. None if
   /// there is no change of slope on either side.
-  [[nodiscard]] std::optional<Tangent<G>> at_scale_of(const Anchors& near) {
-    if (!changes_of_slope || near.before.size() < times || near.behind.size() < times) return std::nullopt;
+  [[nodiscard]] std::optional<Tangent<G>> at_scale_of(const Anchors& nearby) {
+    if (!changes_of_slope || nearby.before.size() < times || nearby.behind.size() < times) return std::nullopt;
     start();
-    add_side(near.before);
-    add_side(near.behind);
-    const double l1 = near.before[1], l0 = near.before[0], r0 = near.behind[0], r1 = near.behind[1];
+    add_side(nearby.before);
+    add_side(nearby.behind);
+    const double l1 = nearby.before[1], l0 = nearby.before[0], r0 = nearby.behind[0], r1 = nearby.behind[1];
     const Tangent<G> in = slope(l1, l0), across = slope(l0, r0), out = slope(r0, r1);
-    const auto length = static_cast<Scalar>(r0 - l0), step = static_cast<Scalar>(std::max(l0 - l1, r1 - r0));
+    const auto length = static_cast<Scalar>(r0 - l0), step = static_cast<Scalar>((std::max)(l0 - l1, r1 - r0));
     const Tangent<G> first = (6 * across - 4 * in - 2 * out) / length, last = (2 * in + 4 * out - 6 * across) / length;
     largest_ = largest_.cwiseMax(Scalar(3) / 2 * step * first.cwiseAbs2().cwiseMax(last.cwiseAbs2())).eval();
     return largest_.cwiseMax(noise_);

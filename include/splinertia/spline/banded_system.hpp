@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <splinertia/finite.hpp>
+#include <splinertia/fixed_array.hpp>
 #include <tuple>
 #include <vector>
 
@@ -48,7 +50,7 @@ class BandedSystem {
   using Corner = Eigen::Matrix<Scalar, Border, Border>;
   using Vector = BandedVector<Scalar, Dof, Border>;
   struct Row {
-    std::array<Block, Reach + 1> lower;  ///< A(i, i − j), j = 0 … Reach
+    FixedArray<Block, Reach + 1> lower;  ///< A(i, i − j), j = 0 … Reach
     BorderBlock border;
   };
 
@@ -161,21 +163,20 @@ class BandedCholesky {
  private:
   static constexpr std::size_t largest_reach = std::tuple_size_v<decltype(System::Row::lower)> - 1;
 
-  [[nodiscard]] static std::size_t reach(std::size_t row) { return std::min(row, largest_reach); }
+  [[nodiscard]] static std::size_t reach(std::size_t row) { return (std::min)(row, largest_reach); }
 
   // Plain loops: what Eigen unrolls for small fixed sizes is no faster here, and takes ten seconds to compile.
 
   /// The lower triangle of `matrix` becomes L with L Lᵀ = matrix; false unless that is positive definite to rounding.
   template <typename Matrix>
   [[nodiscard]] static bool factorize(Matrix& matrix) {
-    using std::isfinite;
     using std::sqrt;
     for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
       for (int k = 0; k < c; ++k) {
         for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) -= matrix(r, k) * matrix(c, k);
       }
       const Scalar pivot = matrix(c, c);
-      if (!(pivot > Scalar(0)) || !isfinite(pivot)) return false;
+      if (!(pivot > Scalar(0)) || !is_finite(pivot)) return false;
       const Scalar inverse = Scalar(1) / sqrt(pivot);
       for (int r = c; r < Matrix::RowsAtCompileTime; ++r) matrix(r, c) *= inverse;
     }

@@ -6,17 +6,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <utility>
 
 namespace splinertia {
 
+/// The orders that curves have: 2 is linear, 4 cubic.
+inline constexpr int lowest_order = 2, highest_order = 8;
+template <int Order>
+inline constexpr bool is_supported_order = lowest_order <= Order && Order <= highest_order;
+
 /// λ_1 … λ_{k−1} and their first D derivatives with respect to time, at one time.
 template <typename Scalar, int Order, int D>
 struct CumulativeBasis {
-  static_assert(Order >= 2 && Order <= 8, "orders 2 (linear) to 8 are supported");
+  static_assert(is_supported_order<Order>, "orders 2 (linear) to 8 are supported");
   /// lambda[m][j − 1] = d^m λ_j/dt^m, in 1/s^m.
-  std::array<std::array<Scalar, Order - 1>, D + 1> lambda;
+  FixedArray<FixedArray<Scalar, Order - 1>, D + 1> lambda;
 };
 
 [[nodiscard]] constexpr std::int64_t binomial(int n, int k) {
@@ -32,7 +38,7 @@ struct CumulativeBasis {
 }
 
 template <int Order>
-using BasisMatrix = std::array<std::array<std::int64_t, Order>, Order>;
+using BasisMatrix = FixedArray<FixedArray<std::int64_t, Order>, Order>;
 
 /// (k − 1)! times the basis matrix of uniform knots, an integer: row j, column n holds the coefficient of uⁿ in
 /// (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).
@@ -67,8 +73,16 @@ template <int Order>
   return m;
 }
 
-static_assert(uniform_cumulative_matrix<4>() ==
-              BasisMatrix<4>{{{6, 0, 0, 0}, {5, 3, -3, 1}, {1, 3, 3, -2}, {0, 0, 0, 1}}});
+static_assert([] {
+  constexpr BasisMatrix<4> matrix = uniform_cumulative_matrix<4>();
+  constexpr std::int64_t cubic[4][4] = {{6, 0, 0, 0}, {5, 3, -3, 1}, {1, 3, 3, -2}, {0, 0, 0, 1}};
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t n = 0; n < 4; ++n) {
+      if (matrix[j][n] != cubic[j][n]) return false;
+    }
+  }
+  return true;
+}());
 
 /// (k − 1)! d^m λ_j/du^m by Horner's rule. The coefficients are exact, so that the only errors are those of the sum.
 template <int Order, int j, int m, typename Scalar>
@@ -78,7 +92,7 @@ template <int Order, int j, int m, typename Scalar>
     return matrix[j][power] * factorial(static_cast<int>(power)) / factorial(static_cast<int>(power) - m);
   };
   Scalar sum(static_cast<Constant<Scalar>>(coefficient(Order - 1)));
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
     [[maybe_unused]] const auto step = [&]<std::size_t i>() {
       constexpr std::int64_t next = coefficient(Order - 2 - i);
       if constexpr (next == 0) {
@@ -87,8 +101,8 @@ template <int Order, int j, int m, typename Scalar>
         sum = sum * u + static_cast<Constant<Scalar>>(next);
       }
     };
-    (step.template operator()<I>(), ...);
-  }(std::make_index_sequence<Order - 1 - m>{});
+    (step.template operator()<Index>(), ...);
+  }(std::make_index_sequence<static_cast<std::size_t>(Order - 1 - m)>{});
   return sum;
 }
 
@@ -106,7 +120,7 @@ template <int Order, int D, typename U, typename Scalar = U>
       } else {
         ((basis.lambda[m][J] = Scalar(0)), ...);
       }
-    }(std::make_index_sequence<Order - 1>{});
+    }(std::make_index_sequence<static_cast<std::size_t>(Order - 1)>{});
   };
   const U scale(Real(1) / static_cast<Real>(factorial(Order - 1)));
   row.template operator()<0>(scale);

@@ -50,7 +50,7 @@ template <typename Curve>
     }
   }
   options.loss = RobustLoss::squares();
-  options.most_iterations = std::min(options.most_iterations, 10);
+  options.most_iterations = (std::min)(options.most_iterations, 10);
   return options;
 }
 
@@ -81,7 +81,7 @@ template <typename Curve, StampedPoses Poses>
   std::size_t too_few = 0, enough = std::max<std::size_t>(1, data.size() / 1000);
   while (enough <= most && !good(enough)) {
     too_few = enough;
-    enough = enough < most ? std::min(2 * enough, most) : most + 1;
+    enough = enough < most ? (std::min)(2 * enough, most) : most + 1;
   }
   if (enough > most) {
     refuse<std::runtime_error>("coarsest_knot_interval: with knots ", interval_of(most),
@@ -125,7 +125,7 @@ template <typename Curve, StampedPoses Poses>
   // A component that never moves has no error but rounding, which says nothing about an interval.
   Scalar size(1);
   for (const auto& pose : data) {
-    size = std::max(size, Scalar(GroupTraits<typename Curve::Group>::log(pose.value).cwiseAbs().maxCoeff()));
+    size = (std::max)(size, Scalar(GroupTraits<typename Curve::Group>::log(pose.value).cwiseAbs().maxCoeff()));
   }
   const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * size, least_square = rounding * rounding;
 
@@ -145,20 +145,20 @@ template <typename Curve, StampedPoses Poses>
       }
     }
     squares /= static_cast<Scalar>(std::max<std::size_t>(count, 1));
-    return std::exp(static_cast<double>(squares.array().max(least_square).log().mean()) / 2);
+    return std::exp(static_cast<double>((squares.array().max)(least_square).log().mean()) / 2);
   };
 
   CrossValidation result{span, {}};
   double least = std::numeric_limits<double>::infinity();
   int risen = 0;
   const double most = 0.6 * static_cast<double>(data.size()) - Curve::order;
-  for (double segments = std::max(1.0, static_cast<double>(data.size()) / 512); segments <= std::max(1.0, most);
+  for (double segments = (std::max)(1.0, static_cast<double>(data.size()) / 512); segments <= (std::max)(1.0, most);
        segments *= std::sqrt(2.0)) {
     const double interval = span / std::round(segments);
     if (!result.tried.empty() && interval == result.tried.back().knot_interval) continue;
     result.tried.push_back({interval, error_of(interval)});
     risen = result.tried.back().error > least * (1 + tolerance) ? risen + 1 : 0;
-    least = std::min(least, result.tried.back().error);
+    least = (std::min)(least, result.tried.back().error);
     if (risen == 2) break;
   }
   for (const auto& [interval, error] : result.tried) {

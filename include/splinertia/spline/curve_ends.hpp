@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/smoothness.hpp>
@@ -84,7 +85,7 @@ class EndTerm {
   /// Σ coefficient_j d_{first + j}
   struct Combination {
     std::size_t first;
-    std::array<Scalar, order> coefficient{};
+    FixedArray<Scalar, order> coefficient{};
   };
 
   [[nodiscard]] static Scalar length_of_segment(const Curve& curve, std::size_t s) {
@@ -98,7 +99,7 @@ class EndTerm {
     const std::size_t s = at_start ? 0 : curve.segments() - 1;
     const auto begin = curve.knots().knot(s, order), end = curve.knots().knot(s + 1, order);
     const Scalar length = length_of_segment(curve, s);
-    std::array<std::array<Scalar, nodes>, order - 1> values;
+    FixedArray<FixedArray<Scalar, nodes>, order - 1> values;
     for (std::size_t n = 0; n < nodes; ++n) {
       const auto place = curve.knots().template basis<Scalar, order, 2>(
           begin + fraction_of(end - begin, quadrature.node[n]), curve.control_points().size());
@@ -128,7 +129,7 @@ class EndTerm {
   template <typename System>
   static Scalar add_combination(const Curve& curve, System& system, const Combination& c) {
     Tangent<G> r = Tangent<G>::Zero();
-    std::array<Jacobian<G>, order + 1> J;
+    FixedArray<Jacobian<G>, order + 1> J;
     J.fill(Jacobian<G>::Zero());
     std::size_t points = 1;
     for (std::size_t j = 0; j < order; ++j) {
@@ -140,7 +141,7 @@ class EndTerm {
       points = j + 2;
     }
     if (points <= order) {
-      std::array<Jacobian<G>, order> fewer;
+      FixedArray<Jacobian<G>, order> fewer;
       std::copy_n(J.begin(), order, fewer.begin());
       system.add(c.first, r, fewer);
     } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/spline/banded_system.hpp>
 #include <tuple>
@@ -30,7 +31,7 @@ class CurveModel {
   using Scalar = typename Curve::Scalar;
   using System = BandedSystem<Scalar, DofOf<G>, Reach>;
 
-  explicit CurveModel(const Terms&... terms) : terms_(terms...) {}
+  explicit CurveModel(std::reference_wrapper<const Terms>... terms) : terms_(terms...) {}
 
   Scalar linearize(const Curve& curve, System& system) const {
     return std::apply([&](const auto&... term) { return (term.add(curve, system) + ...); }, terms_);

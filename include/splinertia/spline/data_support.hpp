@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/fit_options.hpp>
 #include <utility>
@@ -14,8 +15,8 @@ namespace splinertia {
 
 /// The weights B_j = λ_j − λ_{j+1} of the Order control points of a segment.
 template <typename Scalar, int Order>
-[[nodiscard]] std::array<Scalar, Order> control_point_weights(const CumulativeBasis<Scalar, Order, 0>& basis) {
-  std::array<Scalar, Order> weights;
+[[nodiscard]] FixedArray<Scalar, Order> control_point_weights(const CumulativeBasis<Scalar, Order, 0>& basis) {
+  FixedArray<Scalar, Order> weights;
   Scalar before(1);
   for (std::size_t j = 0; j + 1 < weights.size(); ++j) {
     weights[j] = before - basis.lambda[0][j];
@@ -45,10 +46,10 @@ template <typename Curve>
     const auto begin = knots.knot(s, order), end = knots.knot(s + 1, order);
     for (const auto time : {begin, begin + (end - begin) / 2, end}) {
       const auto [first, weights] = weights_at(time);
-      for (std::size_t j = 0; j < weights.size(); ++j) largest[first + j] = std::max(largest[first + j], weights[j]);
+      for (std::size_t j = 0; j < weights.size(); ++j) largest[first + j] = (std::max)(largest[first + j], weights[j]);
     }
   }
-  std::vector<bool> near(control_points, false), matched(control_points, false);
+  std::vector<bool> nearby(control_points, false), matched(control_points, false);
   std::size_t next = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!counts(i)) continue;
@@ -59,13 +60,13 @@ template <typename Curve>
     std::size_t low = 0, high = weights.size();
     while (low < high && share(low) < 0.1) ++low;
     while (high > low && share(high - 1) < 0.1) --high;
-    for (std::size_t j = low; j < high; ++j) near[first + j] = near[first + j] || share(j) >= 0.25 - 1e-9;
-    next = std::max(next, first + low);
+    for (std::size_t j = low; j < high; ++j) nearby[first + j] = nearby[first + j] || share(j) >= 0.25 - 1e-9;
+    next = (std::max)(next, first + low);
     if (next < first + high) matched[next++] = true;
   }
   std::vector<std::size_t> undetermined;
   for (std::size_t i = 0; i < control_points; ++i) {
-    if (!near[i] || !matched[i]) undetermined.push_back(i);
+    if (!nearby[i] || !matched[i]) undetermined.push_back(i);
   }
   return undetermined;
 }

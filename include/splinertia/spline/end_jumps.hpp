@@ -33,7 +33,7 @@ template <LieGroup G, TimePoint Time>
   Tangent<G> usual;
   std::vector<Scalar> values(all.size());
   // A wrong pose makes up to three.
-  const std::size_t left_out = std::min(values.size() - 1, std::max<std::size_t>(values.size() / 50, 3));
+  const std::size_t left_out = (std::min)(values.size() - 1, std::max<std::size_t>(values.size() / 50, 3));
   const auto largest = values.end() - static_cast<std::ptrdiff_t>(left_out) - 1;
   for (int row = 0; row < usual.size(); ++row) {
     std::transform(all.begin(), all.end(), values.begin(), [row](const auto& step) { return step[row]; });
@@ -44,7 +44,7 @@ template <LieGroup G, TimePoint Time>
     const std::size_t beside = i + 2 < n ? i + 1 : i - 1;
     if (!(detail::unexpected_step(poses, i, beside, interval).array() > Scalar(10) * usual.array()).any()) continue;
     if (i < reach) between.first = i + 1;
-    if (i + 1 + reach >= n) between.second = std::min(between.second, i);
+    if (i + 1 + reach >= n) between.second = (std::min)(between.second, i);
   }
   return between;
 }

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -74,7 +75,9 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
       P = Traits::compose(exp_of_fraction<G>(lambda[0][j], d(j)), P);
       observe(j, P, m);
     };
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (factor(last - 1 - I), ...); }(std::make_index_sequence<last>{});
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (factor(last - 1 - Index), ...);
+    }(std::make_index_sequence<last>{});
     m.value = Traits::compose(first, P);
   }
   return m;
@@ -86,28 +89,28 @@ template <int D, LieGroup... F, int Order>
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
   using G = Product<F...>;
   Motion<G, D> m;
-  const auto factor = [&]<std::size_t I>() {
-    using Factor = typename G::template Factor<I>;
-    constexpr int offset = G::template offset<I>;
+  const auto factor = [&]<std::size_t Index>() {
+    using Factor = typename G::template Factor<Index>;
+    constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
-    const Motion<Factor, D> f = evaluate_increments<D>(first.template get<I>(), part, basis);
-    m.value.template get<I>() = f.value;
+    const Motion<Factor, D> f = evaluate_increments<D>(first.template get<Index>(), part, basis);
+    m.value.template get<Index>() = f.value;
     if constexpr (D >= 1) m.velocity.template segment<dof>(offset) = f.velocity;
     if constexpr (D >= 2) m.acceleration.template segment<dof>(offset) = f.acceleration;
     if constexpr (D >= 3) m.jerk.template segment<dof>(offset) = f.jerk;
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (factor.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (factor.template operator()<Index>(), ...);
   }(std::index_sequence_for<F...>{});
   return m;
 }
 
 /// d_1 … d_{k−1} between the Order control points that shape a curve.
 template <LieGroup G, int Order>
-[[nodiscard]] inline std::array<Tangent<G>, Order - 1> increments_between(
+[[nodiscard]] inline FixedArray<Tangent<G>, Order - 1> increments_between(
     std::span<const G, static_cast<std::size_t>(Order)> control_points) {
-  std::array<Tangent<G>, Order - 1> d;
+  FixedArray<Tangent<G>, Order - 1> d;
   for (std::size_t j = 0; j < d.size(); ++j) d[j] = increment<G>(control_points[j], control_points[j + 1]);
   return d;
 }

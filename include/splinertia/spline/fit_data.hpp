@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <ranges>
 #include <splinertia/finite.hpp>
+#include <splinertia/group/known_groups.hpp>
 #include <splinertia/group/lie_group.hpp>
-#include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/refuse.hpp>
 #include <splinertia/spline/fit_options.hpp>
@@ -33,18 +33,6 @@ template <LieGroup G, LieGroup From>
   } else {
     static_assert(Pose<G> && Pose<From>, "the poses are of another group than the curve");
     return make_pose<G>(rotation(pose), position(pose));
-  }
-}
-
-/// `time` as another type: seconds since an epoch as double are good to a quarter of a microsecond only.
-template <TimePoint Time, TimePoint From>
-[[nodiscard]] Time as_time(From time) {
-  if constexpr (std::same_as<Time, From>) {
-    return time;
-  } else if constexpr (std::floating_point<Time>) {
-    return to_seconds<Time>(time);
-  } else {
-    return std::chrono::duration_cast<Time>(to_nanoseconds(time));
   }
 }
 
@@ -83,12 +71,7 @@ template <typename Curve, StampedPoses Poses>
     }
     data.push_back({time, value});
   }
-  if constexpr (!std::floating_point<Time>) {
-    if (!data.empty() && data.front().time < Time(0) && data.back().time > Time::max() + data.front().time) {
-      refuse<std::invalid_argument>(whose, ": poses from ", printable(data.front().time), " to ",
-                                    printable(data.back().time), " span more ticks than 64 bits count");
-    }
-  }
+  if (!data.empty()) check_span(whose, "poses", data.front().time, data.back().time);
   return data;
 }
 

@@ -55,8 +55,8 @@ class FitProblem {
     std::size_t counted = 0;
     for (std::size_t i = 0; i < data_.size(); ++i) counted += counts()(i) ? 1 : 0;
     taken_share_ = Scalar(control_points - undetermined.size()) / Scalar(std::max<std::size_t>(counted, 1));
-    free_share_ = Scalar(1) - std::min(taken_share_, Scalar(3) / Scalar(4));
-    taken_share_ = std::min(taken_share_, Scalar(1));
+    free_share_ = Scalar(1) - (std::min)(taken_share_, Scalar(3) / Scalar(4));
+    taken_share_ = (std::min)(taken_share_, Scalar(1));
   }
 
   /// The spline nearest to the poses: of a robust loss without a given deviation in rounds, since what is an outlier
@@ -72,9 +72,9 @@ class FitProblem {
       system.clear();
       const auto minimum =
           minimize(Model(poses, smoothness), fit_.spline, system, factor,
-                   {.relative = std::max(relative, 16 * epsilon),
+                   {.relative = (std::max)(relative, 16 * epsilon),
                     .absolute = epsilon * whitened_extent * whitened_extent,
-                    .most_iterations = std::min(most_iterations, options_.most_iterations - fit_.iterations)});
+                    .most_iterations = (std::min)(most_iterations, options_.most_iterations - fit_.iterations)});
       fit_.iterations += minimum.iterations;
       fit_.converged = minimum.converged;
     };
@@ -109,9 +109,11 @@ class FitProblem {
 
   [[nodiscard]] const Curve& curve() const { return fit_.spline; }
   [[nodiscard]] const std::vector<FitGap<typename Curve::Time>>& gaps() const { return fit_.gaps; }
-  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const {
+  /// Refers to the poses that are kept here.
+  [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const& {
     return {data_, options_.weights, fit_.standard_deviation, loss};
   }
+  PoseTerm<Curve> pose_term(const RobustLoss& loss) && = delete;
   /// What holds the curve where neither the poses do nor other measurements, at the ascending times `others`; as the
   /// present curve says.
   [[nodiscard]] SmoothnessTerms<Curve> smoothness_terms(const std::vector<typename Curve::Time>& others = {}) const {

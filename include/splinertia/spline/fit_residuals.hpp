@@ -29,7 +29,7 @@ template <typename Curve>
     ++count;
     result.component_rms += r.cwiseAbs2();
     result.component_max = result.component_max.cwiseMax(r.cwiseAbs());
-    result.max = std::max(result.max, Scalar(r.norm()));
+    result.max = (std::max)(result.max, Scalar(r.norm()));
   }
   if (count == 0) return result;
   result.component_rms /= static_cast<Scalar>(count);
@@ -71,7 +71,7 @@ template <typename Curve>
     if (magnitudes.empty()) magnitudes.push_back(least);
     const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
     std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-    deviation[row] = std::max(least, Scalar(1.4826f) * *middle / sqrt(free_share));
+    deviation[row] = (std::max)(least, Scalar(1.4826f) * *middle / sqrt(free_share));
   }
   return deviation;
 }

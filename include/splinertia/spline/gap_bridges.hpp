@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -42,11 +43,12 @@ class GapBridges {
   /// `share` that of the data which the control points take: the variance of a value of the curve over that of a
   /// pose. `others` are the times, ascending, of other measurements that hold the curve. Keeps curve, spans and others
   /// by reference.
-  GapBridges(const Curve& curve, const std::vector<UnmeasuredSpan<Time>>& spans, const Tangent<G>& noise,
-             const Tangent<G>& unit, const Scalar& share, const std::vector<Time>& others)
+  GapBridges(std::reference_wrapper<const Curve> curve,
+             std::reference_wrapper<const std::vector<UnmeasuredSpan<Time>>> spans, const Tangent<G>& noise,
+             const Tangent<G>& unit, const Scalar& share, std::reference_wrapper<const std::vector<Time>> others)
       : curve_(curve),
         spans_(spans),
-        parts_(measured_parts(curve, spans)),
+        parts_(measured_parts(curve_, spans_)),
         noise_(noise),
         unit_(unit),
         density_(curve, noise * sqrt_of(share)),
@@ -76,8 +78,8 @@ class GapBridges {
                      anchors_beside(parts_, before + 1, 1, step, span.knot_interval)};
     };
     auto density = density_.around(anchors(length));
-    const auto near = density_.at_scale_of(anchors(span.knot_interval));
-    if (density && near) density = density->cwiseMin(*near).eval();
+    const auto nearby = density_.at_scale_of(anchors(span.knot_interval));
+    if (density && nearby) density = density->cwiseMin(*nearby).eval();
     hold(density, span.start, span.end, span.knot_interval, true);
   }
 
@@ -97,8 +99,8 @@ class GapBridges {
     // The measured parts from the held end on.
     std::vector<MeasuredPart> inner;
     for (const MeasuredPart& part : parts_) {
-      const MeasuredPart rest = direction > 0 ? MeasuredPart{std::max(part.start, edge), part.end}
-                                              : MeasuredPart{part.start, std::min(part.end, edge)};
+      const MeasuredPart rest = direction > 0 ? MeasuredPart{(std::max)(part.start, edge), part.end}
+                                              : MeasuredPart{part.start, (std::min)(part.end, edge)};
       if (rest.start <= rest.end) inner.push_back(rest);
     }
     if (inner.empty() || !(knot_interval > 0)) return;

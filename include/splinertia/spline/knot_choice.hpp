@@ -110,12 +110,13 @@ template <LieGroup G, TimePoint Time>
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const auto turn = TurnAngle<G>::of(increment<G>(poses[i - 1].value, poses[i].value));
     const double length = to_seconds<double>(poses[i].time - poses[i - 1].time);
-    rate.push_back(std::max(0., static_cast<double>(turn) - 3 * noise) / length);
+    rate.push_back((std::max)(0., static_cast<double>(turn) - 3 * noise) / length);
   }
   double fastest = rate.size() < 3 ? *std::max_element(rate.begin(), rate.end()) : 0;
   for (std::size_t i = 2; i < rate.size(); ++i) {
     const double &a = rate[i - 2], &b = rate[i - 1], &c = rate[i];
-    fastest = std::max(fastest, std::max(std::min(a, b), std::min(std::max(a, b), c)));  // the middle of the three
+    fastest =
+        (std::max)(fastest, (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c)));  // the middle of the three
   }
   return largest_turn / fastest;
 }
@@ -159,7 +160,7 @@ template <LieGroup G, TimePoint Time>
         // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
         const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
         const auto without_noise = [&](double square, double share) {
-          return std::sqrt(std::max(0., square - share * own_noise));
+          return std::sqrt((std::max)(0., square - share * own_noise));
         };
         const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
         const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
@@ -170,20 +171,20 @@ template <LieGroup G, TimePoint Time>
     return all;
   };
   const double shortest = 1.25 * choice.pose_interval;
-  const double longest = std::max(shortest, std::min(64 * choice.pose_interval, span / 8));
+  const double longest = (std::max)(shortest, (std::min)(64 * choice.pose_interval, span / 8));
   choice.interval = shortest;
   const UnbrokenPoses<G, Time> unbroken(poses);
   bool any = false;
   for (double h = 2 * choice.pose_interval; h < 1.19 * longest; h *= 1.19) {
-    const auto motion = motion_at_scale(unbroken, std::min(h, longest));
+    const auto motion = motion_at_scale(unbroken, (std::min)(h, longest));
     if (!motion && !any) continue;
     if (!motion) break;
-    if (!good(std::min(h, longest), *motion)) {
+    if (!good((std::min)(h, longest), *motion)) {
       choice.limit = any ? KnotLimit::motion : KnotLimit::poses;
       break;
     }
     any = true;
-    choice.interval = std::min(h, longest);
+    choice.interval = (std::min)(h, longest);
   }
   const auto noise_of_turns = static_cast<double>(TurnAngle<G>::of(choice.noise));
   choice.unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);

@@ -92,7 +92,7 @@ template <typename Curve>
   const auto segments_of = [&](double span, double interval) {
     // As many as span/interval if that is an integer but for rounding.
     const double quotient = span / interval;
-    const double segments = std::max(1.0, std::ceil(quotient * (1 - 1e-9)));
+    const double segments = (std::max)(1.0, std::ceil(quotient * (1 - 1e-9)));
     const double most = 100 * static_cast<double>(poses.size());
     if (!(segments <= most)) {
       refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s are more than ", most,
@@ -109,7 +109,8 @@ template <typename Curve>
   if constexpr (requires { knots.interval; }) {
     knots.check(k, Curve::order);
     control_points =
-        segments_of(std::max(0.0, to_seconds<double>(last - knots.start)), to_seconds<double>(knots.interval)) + k - 1;
+        segments_of((std::max)(0.0, to_seconds<double>(last - knots.start)), to_seconds<double>(knots.interval)) + k -
+        1;
     knots.check(control_points, Curve::order);
     const auto end = knots.domain(control_points, Curve::order).end;
     for (auto pose = poses.rbegin(); pose != poses.rend() && pose->time > end; ++pose) pose->time = end;

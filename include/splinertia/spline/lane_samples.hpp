@@ -15,6 +15,7 @@
 #include <splinertia/flatten.hpp>
 #include <splinertia/group/with_scalar.hpp>
 #include <splinertia/spline/evaluate.hpp>
+#include <splinertia/time.hpp>
 
 namespace splinertia {
 
@@ -64,7 +65,7 @@ class LaneSegment {
         if constexpr (std::floating_point<typename C::Time>) {
           t[l] = times(i + l);
         } else {
-          t[l] = static_cast<double>((times(i + l) - knots_.begin()).count());
+          t[l] = static_cast<double>(time_between(knots_.begin(), times(i + l)).count());
         }
       }
       return TimeLanes::load(t.data());
@@ -86,7 +87,7 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
   const std::size_t points = curve.control_points().size(), end = first + count;
   const auto curve_end = curve.end();
   const auto segment_of = [&](std::size_t i) {
-    return curve.knots().segment(std::min(times(i), curve_end), points, C::order);
+    return curve.knots().segment((std::min)(times(i), curve_end), points, C::order);
   };
   for (std::size_t i = first; i < end;) {
     const std::size_t s = segment_of(i);

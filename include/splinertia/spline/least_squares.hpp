@@ -46,7 +46,7 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
   while (result.iterations < until.most_iterations) {
     if (!factor.compute(system, damping)) {
       if (damping >= most_damping) return result;
-      needed = damping = std::max(10 * damping, first_damping);
+      needed = damping = (std::max)(10 * damping, first_damping);
       continue;
     }
     typename System::Vector step = system.right;
@@ -66,7 +66,7 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
       result.cost = cost;
       std::swap(system, next);
       damping = damping > first_damping ? damping / 10 : Scalar(0);
-      damping = std::max(damping, needed);
+      damping = (std::max)(damping, needed);
       if (last) {
         result.converged = true;
         return result;
@@ -74,7 +74,7 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
     } else if (small || damping >= most_damping) {
       return result;
     } else {
-      damping = std::max(10 * damping, first_damping);
+      damping = (std::max)(10 * damping, first_damping);
     }
   }
   return result;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/flatten.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
@@ -154,7 +155,7 @@ template <int D, LieGroupWithJacobians G, int Order>
       if constexpr (D >= 2) s_dot[j] = sum.acceleration;
     });
     // Whatever changes with X_{j−1} through d_j is taken from what it changes through d_{j−1}, or X_0 moves with it.
-    std::array<Operator<G>, D + 1> through_last;
+    FixedArray<Operator<G>, D + 1> through_last;
     through_last.fill(Scalar(0) * identity_operator<G>());
     through_last[0] = adjoint_inverse_operator<G>(P[0]);
     std::size_t derivative = 0;
@@ -206,13 +207,13 @@ template <int D, LieGroupWithJacobians... F, int Order>
         for (auto& J : jacobians) J.setZero();
       },
       result);
-  const auto factor = [&]<std::size_t I>() {
-    using Factor = typename G::template Factor<I>;
-    constexpr int offset = G::template offset<I>;
+  const auto factor = [&]<std::size_t Index>() {
+    using Factor = typename G::template Factor<Index>;
+    constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
-    const Linearization<Factor, Order, D> f = linearize_increments<D>(first.template get<I>(), part, basis);
-    result.value.template get<I>() = f.value;
+    const Linearization<Factor, Order, D> f = linearize_increments<D>(first.template get<Index>(), part, basis);
+    result.value.template get<Index>() = f.value;
     if constexpr (D >= 1) result.velocity.template segment<dof>(offset) = f.velocity;
     if constexpr (D >= 2) result.acceleration.template segment<dof>(offset) = f.acceleration;
     for_each_derivative<D>(
@@ -221,8 +222,8 @@ template <int D, LieGroupWithJacobians... F, int Order>
         },
         result, f);
   };
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (factor.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (factor.template operator()<Index>(), ...);
   }(std::index_sequence_for<F...>{});
   return result;
 }

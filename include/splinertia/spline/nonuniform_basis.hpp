@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/stumpff.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/time.hpp>
@@ -27,19 +28,7 @@
 
 namespace splinertia {
 
-/// to − from in the units of Time (seconds, or ticks of an integer duration): taken in the type of Time, or in Real
-/// where that holds more digits, and so rounded once.
-template <typename Real, TimePoint Time>
-[[nodiscard]] inline Real units_between(Time from, Time to) {
-  if constexpr (!std::floating_point<Time>) {
-    return static_cast<Real>((to - from).count());
-  } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
-    return static_cast<Real>(to) - static_cast<Real>(from);
-  } else {
-    return static_cast<Real>(to - from);
-  }
-}
-
+/// Of units_between().
 template <typename Real, TimePoint Time>
 [[nodiscard]] constexpr Real units_per_second() {
   if constexpr (std::floating_point<Time>) {
@@ -67,7 +56,7 @@ template <int Order, int D, typename Scalar, typename U, TimePoint Time>
   // Of order m, those of the m functions that are not zero on the span: B_{i−m+1+p,m}, p = 0 … m − 1, and derivative d
   // of its Q in q[d][p]. Each order takes the place of the one below.
   std::array<U, k> B{U(Real(1))};
-  std::array<std::array<U, k - 1>, (D > 1 ? D : 1)> q{};
+  FixedArray<FixedArray<U, k - 1>, (D > 1 ? D : 1)> q{};
   const auto order = [&]<std::size_t m>() {
     std::array<Real, m> width;
     for (std::size_t p = 0; p < m; ++p) {

@@ -38,7 +38,9 @@ struct NonUniformKnots {
   std::vector<Time> knots;  ///< ascending, s for a floating-point Time
 
   /// Throws std::invalid_argument unless these are control_points + order finite numbers in ascending order, the domain
-  /// is not empty, and no knot inside it is there `order` times.
+  /// is not empty, no knot inside it is there `order` times, and Time and Scalar, that of the curve, hold the lengths
+  /// of all spans and their reciprocals.
+  template <typename Scalar = typename detail::UsualScalar<Time>::type>
   void check(std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
     if (knots.size() != control_points + k) {
@@ -68,6 +70,15 @@ struct NonUniformKnots {
                                       " inside its domain, the order less one");
       }
     }
+    check_span("NonUniformKnots", "knots", knots.front(), knots.back());
+    if constexpr (std::floating_point<Time>) {
+      Time shortest = end - start;
+      for (std::size_t i = k; i <= control_points; ++i) {
+        const Time length = knots[i] - knots[i - 1];
+        if (length > 0 && length < shortest) shortest = length;
+      }
+      detail::check_lengths<Scalar>("NonUniformKnots", shortest, knots.back() - knots.front());
+    }
   }
 
   /// From knot order − 1 to the one that has as many behind it.
@@ -87,25 +98,19 @@ struct NonUniformKnots {
   }
 
   /// The span that t falls in: a knot belongs to the one that it begins, the end to the last that is not empty.
-  /// Requires t in the domain (asserted). Takes a time logarithmic in the number of knots.
+  /// Outside the domain (asserted) the first or the last that is not empty. Takes a time logarithmic in the number of
+  /// knots.
   [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
-    const auto k = static_cast<std::size_t>(order);
-    assert(knots.size() == control_points + k);
-    const Time* const begin = knots.data() + k;
-    const Time* const end = knots.data() + control_points;
-    assert(t >= begin[-1] && t <= *end);
-    // The first knot behind t; at the end, where there is none, the first that is there.
-    const Time* const next = t < *end ? std::upper_bound(begin, end, t) : std::lower_bound(begin, end, *end);
-    return static_cast<std::size_t>(next - begin);
+    return place(t, control_points, order).span;
   }
 
   /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
   template <typename Scalar, int Order, int D>
   [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
-    const std::size_t s = segment(t, control_points, Order);
+    const auto [s, time] = place(t, control_points, Order);
     const std::span<const Time, 2 * static_cast<std::size_t>(Order) - 2> around(
         knots.data() + s + 1, 2 * static_cast<std::size_t>(Order) - 2);
-    return {s, nonuniform_basis<Order, D, Scalar>(around, t)};
+    return {s, nonuniform_basis<Order, D, Scalar>(around, time)};
   }
 
   /// Span s of a curve, prepared for many times in it.
@@ -140,11 +145,42 @@ struct NonUniformKnots {
       if constexpr (std::floating_point<Time>) {
         return static_cast<double>(knot);
       } else {
-        return static_cast<double>((knot - begin()).count());
+        return units_between<double>(begin(), knot);
       }
     }
     std::array<Time, 2 * k - 2> around_;
   };
+
+ private:
+  struct Place {
+    std::size_t span;
+    Time time;  // what was asked for, as far as Time holds its differences from the knots
+  };
+  [[nodiscard]] Place place(Time t, std::size_t control_points, int order) const {
+    const auto k = static_cast<std::size_t>(order);
+    assert(knots.size() == control_points + k);
+    const Time* const begin = knots.data() + k;
+    const Time* const end = knots.data() + control_points;
+    if (!(t >= begin[-1] && t < *end)) [[unlikely]]
+      return place_at_end(t, control_points, order);
+    return {static_cast<std::size_t>(std::upper_bound(begin, end, t) - begin), t};
+  }
+  // The same for t at the end of the domain, or outside.
+  [[nodiscard, gnu::cold]] Place place_at_end(Time t, std::size_t control_points, int order) const {
+    const Domain<Time> curve = domain(control_points, order);
+    detail::assert_inside(curve, t);
+    const Time* const begin = knots.data() + order;
+    const Time* const end = knots.data() + control_points;
+    const bool behind = t >= curve.end;
+    // The first knot behind the first span that is not empty, or the last.
+    const Time* const next =
+        behind ? std::lower_bound(begin, end, curve.end) : std::upper_bound(begin, end, curve.start);
+    if constexpr (!std::floating_point<Time>) {
+      t = behind ? (std::min)(t, time_between(-(Time::max)(), knots.front()))
+                 : (std::max)(t, time_between((Time::max)(), knots.back()));
+    }
+    return {static_cast<std::size_t>(next - begin), t};
+  }
 };
 
 template <typename T>

@@ -38,30 +38,30 @@ struct ControlPointParts {
 template <typename... F>
 struct ControlPointParts<Product<F...>> {
   static constexpr std::size_t count = sizeof...(F);
-  template <std::size_t I>
-  static constexpr int offset = Product<F...>::template offset<I>;
-  template <std::size_t I>
+  template <std::size_t Index>
+  static constexpr int offset = Product<F...>::template offset<Index>;
+  template <std::size_t Index>
   static auto& part(auto& x) {
-    return x.template get<I>();
+    return x.template get<Index>();
   }
 };
 
 /// f<I>() for each part I of G.
 template <LieGroup G>
 inline void for_each_part(const auto& f) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (f.template operator()<I>(), ...);
+  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+    (f.template operator()<Index>(), ...);
   }(std::make_index_sequence<ControlPointParts<G>::count>{});
 }
 
 /// The Order control points in `blocks`, of which there are Order for each part of G.
-template <LieGroup G, int Order>
+template <HasParameterLayout G, int Order>
 [[nodiscard]] inline std::array<G, static_cast<std::size_t>(Order)> read_control_points(
     const ScalarOf<G>* const* blocks) {
   std::array<G, static_cast<std::size_t>(Order)> points;
-  for_each_part<G>([&]<std::size_t I>() {
+  for_each_part<G>([&]<std::size_t Index>() {
     for (G& x : points) {
-      auto& part = ControlPointParts<G>::template part<I>(x);
+      auto& part = ControlPointParts<G>::template part<Index>(x);
       part = read_parameters<std::remove_cvref_t<decltype(part)>>(*blocks++);
     }
   });
@@ -69,7 +69,7 @@ template <LieGroup G, int Order>
 }
 
 /// evaluate() of the control points in `blocks`. The order is that of the basis.
-template <int D, LieGroup G, int Order>
+template <int D, HasParameterLayout G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(const ScalarOf<G>* const* blocks,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   const auto points = read_control_points<G, Order>(blocks);
@@ -78,7 +78,8 @@ template <int D, LieGroup G, int Order>
 
 /// linearize() of the control points in `blocks`. The Jacobians are by tangents of the control points: chain them with
 /// ParameterLayout<G>::parameters_to_tangent for an optimiser that wants them by the numbers in the blocks.
-template <int D, LieGroupWithJacobians G, int Order>
+template <int D, HasParameterLayout G, int Order>
+  requires LieGroupWithJacobians<G>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(const ScalarOf<G>* const* blocks,
                                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   const auto points = read_control_points<G, Order>(blocks);

@@ -24,7 +24,7 @@ template <LieGroup G, TimePoint Time>
   const auto length = [&](std::size_t k) { return to_seconds<Scalar>(poses[k + 1].time - poses[k].time); };
   const Scalar own = length(i), other = length(beside), square = static_cast<Scalar>(usual * usual);
   const Scalar allowance = own * (own + other) / (2 * square);
-  return (step(i) - own / other * step(beside)).cwiseAbs() / std::max(Scalar(1), allowance);
+  return (step(i) - own / other * step(beside)).cwiseAbs() / (std::max)(Scalar(1), allowance);
 }
 
 /// The medians of 17 neighbours of each, at the ends of the nearest 17; at least that of all.
@@ -44,8 +44,8 @@ template <typename Vector>
   for (Eigen::Index row = 0; row < Vector::SizeAtCompileTime; ++row) {
     const Scalar of_all = median(0, all.size(), row);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::size_t from = std::min(i > window / 2 ? i - window / 2 : 0, all.size() - window);
-      usual[i][row] = std::max(of_all, median(from, window, row));
+      const std::size_t from = (std::min)(i > window / 2 ? i - window / 2 : 0, all.size() - window);
+      usual[i][row] = (std::max)(of_all, median(from, window, row));
     }
   }
   return usual;
@@ -71,7 +71,7 @@ template <LieGroup G, TimePoint Time>
     const std::size_t before = i > 0 ? i - 1 : i + 1, behind = i + 1 < steps ? i + 1 : i - 1;
     const Tangent<G> least =
         unexpected_step(poses, i, before, interval).cwiseMin(unexpected_step(poses, i, behind, interval));
-    const Tangent<G> limit = (10 * usual[std::min(i, steps - 2)]).cwiseMax(rounding);
+    const Tangent<G> limit = (10 * usual[(std::min)(i, steps - 2)]).cwiseMax(rounding);
     if ((least.array() > limit.array()).any()) breaks.push_back(i);
   }
   return breaks;

@@ -102,7 +102,7 @@ template <LieGroup G, TimePoint Time>
       std::nth_element(all.begin(), upper, all.end());
       const Scalar of_upper = *upper / Scalar(1.2816f);
       Scalar& entry = least[static_cast<Eigen::Index>(row)];
-      entry = std::min(entry, 10 * normal * median < of_upper ? of_upper : normal * median);
+      entry = (std::min)(entry, 10 * normal * median < of_upper ? of_upper : normal * median);
     }
   };
   with.template operator()<3>();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/spline/fit_options.hpp>
@@ -23,8 +24,8 @@ struct TangentParts {
 template <typename... F>
 struct TangentParts<Product<F...>> {
   static void for_each(const auto& f) {
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (f(std::integral_constant<int, Product<F...>::template offset<I>>{}, std::integral_constant<int, DofOf<F>>{}),
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (f(std::integral_constant<int, Product<F...>::template offset<Index>>{}, std::integral_constant<int, DofOf<F>>{}),
        ...);
     }(std::index_sequence_for<F...>{});
   }
@@ -40,7 +41,8 @@ class PoseTerm {
   using Scalar = typename Curve::Scalar;
 
   /// `poses` and `weights` (one each, or none) are kept by reference.
-  PoseTerm(const PosesOf<Curve>& poses, const std::vector<Scalar>& weights, const Tangent<G>& standard_deviation,
+  PoseTerm(std::reference_wrapper<const PosesOf<Curve>> poses,
+           std::reference_wrapper<const std::vector<Scalar>> weights, const Tangent<G>& standard_deviation,
            const RobustLoss& loss)
       : poses_(poses), weights_(weights), inverse_deviation_(standard_deviation.cwiseInverse()), loss_(loss) {}
 

@@ -3,12 +3,15 @@
 
 #include <array>
 #include <cstddef>
+#include <splinertia/fixed_array.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/sample_rows.hpp>
 #include <splinertia/spline/lane_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
+#include <utility>
+#include <vector>
 
 namespace splinertia {
 
@@ -17,20 +20,33 @@ namespace splinertia {
 ///   const auto samples = sample<1>(curve, curve.start(), 0.001, 10000);
 ///   samples[17].velocity;                     // a Motion, made of the numbers of one sample
 ///   samples.velocity().row(2);                // one component at all times, contiguous
+///
+/// The values of a group without ParameterLayout, such as one of your own, are kept as they are.
 template <LieGroup G, int D>
 class MotionSamples {
  public:
   using Scalar = ScalarOf<G>;
-  static constexpr int parameters = parameter_count<G>;
+  static constexpr bool has_parameters = HasParameterLayout<G>;
+  static constexpr int parameters = [] {
+    if constexpr (has_parameters) return parameter_count<G>;
+    return 0;
+  }();
   static constexpr int dof = DofOf<G>;
   using Rows = SampleRows<Scalar, parameters + D * dof>;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  void resize(std::size_t size) { rows_.resize(size); }
+  void resize(std::size_t size) {
+    rows_.resize(size);
+    if constexpr (!has_parameters) values_.resize(size, GroupTraits<G>::identity());
+  }
 
   [[nodiscard]] Motion<G, D> operator[](std::size_t i) const {
     Motion<G, D> m;
-    m.value = read_parameters<G>(rows_.template column<parameters>(0, i).data());
+    if constexpr (has_parameters) {
+      m.value = read_parameters<G>(rows_.template column<parameters>(0, i).data());
+    } else {
+      m.value = values_[i];
+    }
     if constexpr (D >= 1) m.velocity = rows_.template column<dof>(parameters, i);
     if constexpr (D >= 2) m.acceleration = rows_.template column<dof>(parameters + dof, i);
     if constexpr (D >= 3) m.jerk = rows_.template column<dof>(parameters + 2 * dof, i);
@@ -39,34 +55,63 @@ class MotionSamples {
   [[nodiscard]] SampleIterator<MotionSamples> begin() const { return {*this, 0}; }
   [[nodiscard]] SampleIterator<MotionSamples> end() const { return {*this, size()}; }
 
-  /// The numbers of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size().
-  [[nodiscard]] auto value() const { return rows_.template rows<parameters>(0); }
-  [[nodiscard]] auto velocity() const
+  /// The numbers of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size():
+  /// where they are kept, or of a temporary, a copy.
+  [[nodiscard]] auto value() const&
+    requires has_parameters
+  {
+    return rows_.template rows<parameters>(0);
+  }
+  [[nodiscard]] auto value() &&
+    requires has_parameters
+  {
+    return std::move(rows_).template rows<parameters>(0);
+  }
+  [[nodiscard]] auto velocity() const&
     requires(D >= 1)
   {
     return rows_.template rows<dof>(parameters);
   }
-  [[nodiscard]] auto acceleration() const
+  [[nodiscard]] auto velocity() &&
+    requires(D >= 1)
+  {
+    return std::move(rows_).template rows<dof>(parameters);
+  }
+  [[nodiscard]] auto acceleration() const&
     requires(D >= 2)
   {
     return rows_.template rows<dof>(parameters + dof);
   }
-  [[nodiscard]] auto jerk() const
+  [[nodiscard]] auto acceleration() &&
+    requires(D >= 2)
+  {
+    return std::move(rows_).template rows<dof>(parameters + dof);
+  }
+  [[nodiscard]] auto jerk() const&
     requires(D >= 3)
   {
     return rows_.template rows<dof>(parameters + 2 * dof);
   }
+  [[nodiscard]] auto jerk() &&
+    requires(D >= 3)
+  {
+    return std::move(rows_).template rows<dof>(parameters + 2 * dof);
+  }
 
   class Writer {
    public:
-    explicit Writer(MotionSamples& samples) : rows_(samples.rows_) {}
+    explicit Writer(MotionSamples& samples) : rows_(samples.rows_), values_(samples.values_.data()) {}
 
     /// Sample i, or where H is G in lanes, those from i on.
     template <LieGroup H>
     void write(std::size_t i, const Motion<H, D>& m) const {
-      std::array<ScalarOf<H>, parameters> numbers;
-      write_parameters(m.value, numbers.data());
-      rows_.template write<0, parameters>(i, numbers);
+      if constexpr (has_parameters) {
+        FixedArray<ScalarOf<H>, parameters> numbers;
+        write_parameters(m.value, numbers.data());
+        rows_.template write<0, parameters>(i, numbers);
+      } else {
+        values_[i] = m.value;
+      }
       if constexpr (D >= 1) rows_.template write<parameters, dof>(i, m.velocity);
       if constexpr (D >= 2) rows_.template write<parameters + dof, dof>(i, m.acceleration);
       if constexpr (D >= 3) rows_.template write<parameters + 2 * dof, dof>(i, m.jerk);
@@ -74,10 +119,12 @@ class MotionSamples {
 
    private:
     typename Rows::Writer rows_;
+    G* values_;
   };
 
  private:
   Rows rows_;
+  std::vector<G> values_;  // empty where they are among the rows
 };
 
 /// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/lanes.hpp>
@@ -27,7 +28,9 @@ struct SampleTimes {
     if constexpr (std::floating_point<Time>) {
       return start + static_cast<Time>(i) * interval;
     } else {
-      return start + static_cast<typename Time::rep>(i) * interval;
+      // Unsigned: samples behind the last one, which evaluate_lanes() computes too, may be later than any time.
+      const auto ticks = [](auto x) { return static_cast<std::uintmax_t>(x); };
+      return Time(static_cast<typename Time::rep>(ticks(start.count()) + ticks(i) * ticks(interval.count())));
     }
   }
 
@@ -61,10 +64,16 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
                                   ", expected a positive finite number");
   }
   if (count == 0) return;
+  if constexpr (!std::floating_point<Time>) {
+    if (count - 1 > static_cast<std::size_t>(time_between(times.start, (Time::max)()) / times.interval)) {
+      refuse<std::out_of_range>("sample: ", count, " samples ", printable(times.interval), " apart from ",
+                                printable(times.start), " on end later than any time that there is");
+    }
+  }
   const Time last = times(count - 1);
   Time rounding{};
   if constexpr (std::floating_point<Time>) {
-    rounding = 4 * std::numeric_limits<Time>::epsilon() * std::max(std::abs(times.start), std::abs(end));
+    rounding = 4 * std::numeric_limits<Time>::epsilon() * (std::max)(std::abs(times.start), std::abs(end));
   }
   if (!(times.start >= start && last >= times.start && last - rounding <= end)) {
     refuse<std::out_of_range>("sample: ", count, " samples from ", printable(times.start), " to ", printable(last),

@@ -50,8 +50,8 @@ class SmoothnessTerm {
       return curve.knots().template basis<double, order, 0>(t, curve.control_points().size()).first;
     };
     for (std::size_t s = segment(from_), last = segment(to_); s <= last; ++s) {
-      const Time start = std::max(from_, curve.knots().knot(s, order));
-      const Time end = std::min(to_, curve.knots().knot(s + 1, order));
+      const Time start = (std::max)(from_, curve.knots().knot(s, order));
+      const Time end = (std::min)(to_, curve.knots().knot(s + 1, order));
       const Scalar length = to_seconds<Scalar>(end - start);
       if (!(length > Scalar(0))) continue;
       std::array<Tangent<G>, nodes> value;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <splinertia/finite.hpp>
 #include <splinertia/flatten.hpp>
 #include <splinertia/refuse.hpp>
 #include <splinertia/spline/evaluate.hpp>
@@ -37,6 +37,8 @@ struct LinearizationAt : Linearization<G, Order, D> {
 /// and, like everything else here but the constructor, allocates nothing.
 template <LieGroup G, int Order, Knots K = UniformKnots<double>>
 class Spline {
+  static_assert(is_supported_order<Order>, "Spline: orders 2 (linear) to 8 are supported");
+
  public:
   using Group = G;
   using Scalar = ScalarOf<G>;
@@ -51,7 +53,7 @@ class Spline {
       refuse<std::invalid_argument>("Spline: ", control_points_.size(), " control points, expected at least ", Order,
                                     ", the order of the curve");
     }
-    knots_.check(control_points_.size(), Order);
+    knots_.template check<Constant<Scalar>>(control_points_.size(), Order);
     for (std::size_t i = 0; i < control_points_.size(); ++i) control_points_[i] = on_group(control_points_[i], i);
     increments_.resize(control_points_.size() - 1);
     for (std::size_t i = 0; i < increments_.size(); ++i) {
@@ -59,11 +61,22 @@ class Spline {
     }
   }
 
-  /// The closed interval on which the curve is defined.
-  [[nodiscard]] Time start() const { return knots_.domain(control_points_.size(), Order).start; }
-  [[nodiscard]] Time end() const { return knots_.domain(control_points_.size(), Order).end; }
+  /// Points of another group, or with an allocator of their own.
+  template <typename OtherPoint, typename OtherAllocator>
+    requires(!std::same_as<std::vector<OtherPoint, OtherAllocator>, std::vector<G>>)
+  Spline(K, const std::vector<OtherPoint, OtherAllocator>& control_points) = delete;
 
-  /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted).
+  /// The closed interval on which the curve is defined.
+  [[nodiscard]] Domain<Time> domain() const { return knots_.domain(control_points_.size(), Order); }
+  [[nodiscard]] Time start() const { return domain().start; }
+  [[nodiscard]] Time end() const { return domain().end; }
+  /// start() <= t <= end().
+  [[nodiscard]] bool contains(Time t) const { return domain().contains(t); }
+  /// The nearest time to t at which the curve is defined; start() for NaN.
+  [[nodiscard]] Time clamp(Time t) const { return domain().clamp(t); }
+
+  /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted). Outside, the curve of its first or
+  /// last segment goes on, and soon far away; at() throws there, and clamp() stays at the end.
   template <int D>
   [[nodiscard]] Motion<G, D> evaluate(Time t) const {
     return flattened<Scalar>([&] {
@@ -88,7 +101,7 @@ class Spline {
   /// As evaluate(); throws std::out_of_range unless start() <= t <= end().
   template <int D>
   [[nodiscard]] Motion<G, D> at(Time t) const {
-    if (!(t >= start() && t <= end())) {
+    if (!contains(t)) {
       refuse<std::out_of_range>("Spline: no curve at time ", printable(t), ", it is defined from ", printable(start()),
                                 " to ", printable(end()));
     }
@@ -127,7 +140,7 @@ class Spline {
       // Normalising rounds, which increments much smaller than 1 would feel: numbers that were rounded already, to
       // Scalar or, as most data, to double, stay as they are.
       constexpr Scalar rounding =
-          4 * std::max(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
+          4 * (std::max)(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
       constexpr Scalar tolerance = Scalar(1) / Scalar(1000);
       const Scalar drift = GroupTraits<G>::drift(x);
       if (drift <= rounding) return x;
@@ -145,11 +158,9 @@ class Spline {
   [[nodiscard]] static Tangent<G> checked_increment([[maybe_unused]] std::size_t i, const G& x, const G& y) {
     const Tangent<G> d = increment<G>(x, y);
     if constexpr (std::floating_point<Scalar>) {
-      for (int row = 0; row < d.size(); ++row) {
-        if (!std::isfinite(d[row])) {
-          refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
-                                        " are not both finite and of non-zero rotation part");
-        }
+      if (!all_finite(d)) {
+        refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
+                                      " are not both finite and of non-zero rotation part");
       }
     }
     return d;

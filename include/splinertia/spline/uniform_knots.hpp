@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -32,8 +31,9 @@ struct UniformKnots {
   Time start;     ///< where the curve begins, s for a floating-point Time
   Time interval;  ///< > 0
 
-  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, and Time reaches to the
-  /// end and tells the knots apart.
+  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, Time reaches to the end and
+  /// tells the knots apart, and Scalar, that of the curve, holds the interval and its reciprocal.
+  template <typename Scalar = typename detail::UsualScalar<Time>::type>
   void check(std::size_t control_points, int order) const {
     const auto number = printable(interval);
     if (!(number > 0) || !is_finite(interval)) {
@@ -47,15 +47,16 @@ struct UniformKnots {
     if constexpr (std::floating_point<Time>) {
       reached = is_finite(domain(control_points, order).end);
     } else {
-      reached = segments <= static_cast<std::size_t>(Time::max() / interval) &&
-                start <= Time::max() - static_cast<typename Time::rep>(segments) * interval;
+      reached = segments <= static_cast<std::size_t>((Time::max)() / interval) &&
+                start <= (Time::max)() - static_cast<typename Time::rep>(segments) * interval;
     }
     if (!reached) {
       refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " from ", printable(start),
                                     " on end later than any time that there is");
     }
     if constexpr (std::floating_point<Time>) {
-      const Time last = std::max(std::abs(start), std::abs(domain(control_points, order).end));
+      const Time end = domain(control_points, order).end, last = (std::max)(std::abs(start), std::abs(end));
+      detail::check_lengths<Scalar>("UniformKnots", interval, end - start);
       const Time resolution = std::numeric_limits<Time>::epsilon() * last;
       if (interval < 4 * resolution) {
         refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times of ", last,
@@ -84,18 +85,20 @@ struct UniformKnots {
   }
 
   /// The segment that t falls in: a knot belongs to the one that it begins, the end to the last.
-  /// Requires start <= t <= end (asserted).
+  /// Outside the domain (asserted) the first or the last.
   [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
-    assert(t >= start && t <= domain(control_points, order).end);
+    detail::assert_inside(domain(control_points, order), t);
     const std::size_t last = control_points - static_cast<std::size_t>(order);
     if constexpr (std::floating_point<Time>) {
       // The quotient may round up to the next integer; the remainder, which fma gives exactly, tells.
       const Time quotient = (t - start) / interval;
-      const std::size_t s = quotient < static_cast<Time>(last) ? static_cast<std::size_t>(quotient) : last;
+      const Time clamped = quotient > Time(0) ? quotient : Time(0);
+      const std::size_t s =
+          clamped < static_cast<Time>(last) ? static_cast<std::size_t>(static_cast<std::ptrdiff_t>(clamped)) : last;
       return s > 0 && since_knot(s, t) < 0 ? s - 1 : s;
     } else {
-      const auto s = static_cast<std::size_t>((t - start).count() / interval.count());
-      return s > last ? last : s;
+      const Time since = time_between(start, t);
+      return since < Time::zero() ? 0 : (std::min)(static_cast<std::size_t>(since / interval), last);
     }
   }
 
@@ -105,7 +108,9 @@ struct UniformKnots {
     const std::size_t s = segment(t, control_points, Order);
     Real u;
     if constexpr (!std::floating_point<Time>) {
-      u = static_cast<Real>((t - knot(s, Order)).count()) / static_cast<Real>(interval.count());
+      // Of two differences from the start: that of t from a knot may be longer than Time holds.
+      const Time since_knot = time_between(start, t) - (knot(s, Order) - start);
+      u = static_cast<Real>(since_knot.count()) / static_cast<Real>(interval.count());
     } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
       u = Real(since_knot(s, t)) / Real(interval);
     } else {

@@ -57,7 +57,7 @@ template <typename Curve>
   // Of the segments that end and begin at the ends of interval i: a long gap may be one segment.
   const auto interval_beside = [&](std::size_t i) {
     const Time before = i > 1 ? times[i - 2] + (times[i - 1] - times[i - 2]) / 2 : times[i - 1];
-    return std::min(length_of_segment(before), length_of_segment(times[i]));
+    return (std::min)(length_of_segment(before), length_of_segment(times[i]));
   };
 
   std::vector<UnmeasuredSpan<Time>> intervals;
@@ -72,7 +72,7 @@ template <typename Curve>
   const std::size_t segments = control_points - order + 1;
   for (const std::size_t c : weak) {
     const Time from = knots.knot(c + 1 < order ? 0 : c + 1 - order, order);
-    const Time to = knots.knot(std::min(c + 1, segments), order);
+    const Time to = knots.knot((std::min)(c + 1, segments), order);
     const auto ends_later = [](Time t, const auto& interval) { return t < interval.end; };
     const auto first = std::upper_bound(intervals.begin(), intervals.end(), from, ends_later);
     auto last = first;

@@ -24,7 +24,7 @@ class AngularSpeed {
   template <PoseRange Poses>
   AngularSpeed(const Poses& poses, decltype(std::ranges::begin(poses)->time) origin) {
     for (const auto& [time, pose] : poses) {
-      times_.push_back(to_seconds<double>(time - origin));
+      times_.push_back(to_seconds<double>(time_between(origin, time)));
       attitudes_.push_back(splinertia::rotation(pose).template cast<double>());
     }
   }
@@ -57,7 +57,7 @@ class AngularSpeed {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto over = std::span(speeds).subspan(i, taps);
-      const bool known = std::ranges::find(over, unknown) == over.end();
+      const bool known = std::find(over.begin(), over.end(), unknown) == over.end();
       speeds[i] = known ? std::accumulate(over.begin(), over.end(), 0.0) / double(taps) : unknown;
     }
     speeds.resize(count);

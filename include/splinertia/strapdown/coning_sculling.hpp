@@ -3,6 +3,7 @@
 /// interval; what that does to the sums is called coning (attitude), sculling (velocity) and scrolling (position).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,8 +31,9 @@ struct RotationCorrectedIncrements : IncrementScheme<1> {
 
 /// Two increments at a time, through which rate and force are linear: order 4. For equal intervals the rotation is
 /// Miller's Δθ₁ + Δθ₂ + 2/3 Δθ₁ × Δθ₂. Unequal ones see curvature as slope, so there a parabola goes through the two
-/// and a neighbour, as it does for a single increment left at the end of a run. Miller, JGCD 6 (1983); Savage, JGCD 21
-/// (1998).
+/// and a neighbour, as it does for a single increment left at the end of a run. Where one interval is below a quarter
+/// of another, a slope would be that of noise: there rate and force are constant over each interval, of order 2 as in
+/// RotationCorrectedIncrements. Miller, JGCD 6 (1983); Savage, JGCD 21 (1998).
 struct TwoSampleIncrements : IncrementScheme<3, 2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
@@ -44,11 +46,22 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
     const Scalar step = from == 2 ? h[2] : h[from] + h[from + 1];
     // The sum of the distances of the middle of the step from the ends of two increments.
     const Scalar offset = from == 2 ? h[1] + h[2] / Scalar(2) : (h[from + 1] - h[from]) / Scalar(2);
+    // Of the increments that a difference is taken of, the longest may be four times the shortest.
+    const auto alike = [&](std::size_t first, std::size_t end) {
+      const auto [shortest, longest] = std::minmax_element(h.data() + first, h.data() + end);
+      return *longest <= Scalar(4) * *shortest;
+    };
+    const bool sloped = alike(from == 2 ? 1 : from, from == 0 ? 2 : 3);
     using std::abs;
-    const bool curved = full && abs(offset) > step * Scalar(1e-6F);  // else what is left out is as little of that term
+    // Without curvature where what is left out is as little of that term.
+    const bool curved = full && abs(offset) > step * Scalar(1e-6F) && alike(0, 3);
     // The slope A' there makes the moment step² A'/12; in divided differences of F = ∫A it is 2 F[0, 1, 2] + 2 offset
     // F[0, 1, 2, 3].
     const auto moment = [&](auto of) -> Vector3<Scalar> {
+      if (!sloped) [[unlikely]] {
+        if (from == 2) return Vector3<Scalar>::Zero();
+        return (window[from + 1].*of * h[from] - window[from].*of * h[from + 1]) / (step + step);
+      }
       const auto difference = [&](std::size_t i) -> Vector3<Scalar> {
         const Scalar scale = Scalar(1) / (h[i] + h[i + 1]);
         return window[i + 1].*of * Scalar(scale / h[i + 1]) - window[i].*of * Scalar(scale / h[i]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <ranges>
 #include <splinertia/spline/fit.hpp>
@@ -43,7 +44,7 @@ struct InertialFit : Fit<Curve> {
 template <typename Scalar>
 [[nodiscard]] Convergence<Scalar> inertial_convergence(std::size_t samples, int most_iterations) {
   constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  return {.relative = std::max(Scalar(1e-10f), 16 * epsilon),
+  return {.relative = (std::max)(Scalar(1e-10f), 16 * epsilon),
           .absolute = epsilon * static_cast<Scalar>(6 * samples),
           .most_iterations = most_iterations};
 }
@@ -63,7 +64,9 @@ using InertialSystem =
 template <typename Curve, typename... CurveTerms>
 class InertialModel {
  public:
-  InertialModel(const InertialTerm<Curve>& samples, const CurveTerms&... terms) : samples_(samples), terms_(terms...) {}
+  InertialModel(std::reference_wrapper<const InertialTerm<Curve>> samples,
+                std::reference_wrapper<const CurveTerms>... terms)
+      : samples_(samples), terms_(terms...) {}
 
   auto linearize(const InertialState<Curve>& state, InertialSystem<Curve>& system) const {
     auto cost = samples_.add(state.curve, state.calibration, system);
@@ -96,7 +99,8 @@ class CalibrationModel {
  public:
   using Calibration = ImuCalibration<typename Curve::Scalar>;
 
-  CalibrationModel(const InertialTerm<Curve>& samples, const Curve& curve) : samples_(samples), curve_(curve) {}
+  CalibrationModel(std::reference_wrapper<const InertialTerm<Curve>> samples, std::reference_wrapper<const Curve> curve)
+      : samples_(samples), curve_(curve) {}
 
   auto linearize(const Calibration& calibration, InertialSystem<Curve>& system) const {
     BorderOnly<InertialSystem<Curve>> border{system, system.corner};

@@ -68,7 +68,7 @@ class InertialTerm {
   using Time = typename Curve::Time;
   using Rows = CalibrationRows;
   /// Stands on the diagonal for the information about an unknown of which there is none.
-  static constexpr Scalar nothing = std::numeric_limits<Scalar>::min();
+  static constexpr Scalar nothing = (std::numeric_limits<Scalar>::min)();
 
   /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
   /// not finite or not later than the one before it, for bad options, and if no sample is left.
@@ -88,7 +88,7 @@ class InertialTerm {
                                     " s, expected at most largest_time_offset, ", options.largest_time_offset);
     }
     const auto& from = options.calibration;
-    if (!from.gyro_bias.allFinite() || !from.accel_bias.allFinite() || !from.arm.p_BI.allFinite()) {
+    if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.arm.p_BI)) {
       refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
     }
     const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
@@ -97,7 +97,7 @@ class InertialTerm {
     Time before{};
     for (const auto& sample : samples) {
       const Time time = as_time<Time>(sample.time);
-      if (!is_finite(sample.time) || !sample.gyro.allFinite() || !sample.accel.allFinite()) {
+      if (!is_finite(sample.time) || !all_finite(sample.gyro) || !all_finite(sample.accel)) {
         refuse<std::invalid_argument>("IMU sample ", i, " is not finite");
       }
       if (i > 0 && !(time > before)) {

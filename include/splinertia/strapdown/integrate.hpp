@@ -19,11 +19,12 @@ struct IntegrationOptions {
 /// and calls visit(state) for each state, the first of them `initial`; not at all for no samples. Scheme is Euler,
 /// Midpoint, Trapezoid, RungeKutta4, RungeKutta4DoubleStep, Magnus4, ZeroOrderHold, of point samples, the first of them
 /// at the initial time; or one of coning_sculling.hpp, of increments, which begin there; or a type of your own
-/// (scheme.hpp). Nothing is kept. Throws std::invalid_argument where the first point sample is not at initial.time,
-/// where stamps do not increase, for a gap that is refused, and for fewer samples than the scheme needs.
+/// (scheme.hpp). One point sample gives the initial state, two or three are enough for any scheme, at a lower order.
+/// Nothing is kept. Throws std::invalid_argument where the first point sample is not at initial.time, where the initial
+/// state, gravity or a reading are not finite, where stamps do not increase, and for a gap that is refused.
 template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_range Samples, typename Visit,
           typename Frame = InertialFrame>
-  requires std::invocable<Visit&, const NavState<Scalar, Time>&>
+  requires IntegrationScheme<Scheme, Scalar, Time> && std::invocable<Visit&, const NavState<Scalar, Time>&>
 void integrate(const NavState<Scalar, Time>& initial, Samples&& samples,
                const Vector3<std::type_identity_t<Scalar>>& gravity, Visit&& visit,
                const IntegrationOptions<std::type_identity_t<Scalar>, Frame>& options = {}) {
@@ -41,6 +42,7 @@ void integrate(const NavState<Scalar, Time>& initial, Samples&& samples,
 /// The same into a vector: one state for each step, the first of them `initial`; none for no samples.
 template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_range Samples,
           typename Frame = InertialFrame>
+  requires IntegrationScheme<Scheme, Scalar, Time>
 [[nodiscard]] std::vector<NavState<Scalar, Time>> integrate(
     const NavState<Scalar, Time>& initial, Samples&& samples,
     const Vector3<std::type_identity_t<Scalar>>& gravity = standard_gravity<Scalar>(),

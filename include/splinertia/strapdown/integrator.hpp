@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/require.hpp>
+#include <splinertia/strapdown/integration_scheme.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
 #include <splinertia/strapdown/sample_window.hpp>
 #include <splinertia/strapdown/scheme.hpp>
@@ -19,29 +21,36 @@ namespace splinertia {
 /// InertialFrame, or RotatingFrame, which is passed. A scheme that looks ahead, or advances by several samples, leaves
 /// the state behind the last sample until finish().
 template <typename Scheme, typename Scalar, TimePoint Time = double, typename Frame = InertialFrame>
+  requires IntegrationScheme<Scheme, Scalar, Time>
 class Integrator {
  public:
   using State = NavState<Scalar, Time>;
 
-  /// `gravity`: acceleration of free fall in the world, m/s².
+  /// `gravity`: acceleration of free fall in the world, m/s². Throws std::invalid_argument unless it, the initial state
+  /// and the frame are finite.
   explicit Integrator(const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
                       const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
-      : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {}
+      : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {
+    require_all_finite("integrate", "the initial attitude", initial.R_WB.unit_quaternion().coeffs());
+    require_all_finite("integrate", "the initial velocity", initial.v_WB);
+    require_all_finite("integrate", "the initial position", initial.p_WB);
+    require_all_finite("integrate", "gravity", gravity);
+    if constexpr (requires { frame.rate; }) require_all_finite("integrate", "the rate of the world", frame.rate);
+  }
 
   /// Adds a sample and advances the state as far as the scheme can; calls visit(state) after each step. Throws
-  /// std::invalid_argument for a first point sample that is not at the time of the initial state, for a stamp that is
-  /// not after the last one, and for a gap that is refused; then nothing has changed.
+  /// std::invalid_argument for a first point sample that is not at the time of the initial state, for readings that are
+  /// not finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
   template <typename AnySample>
-  void push(const AnySample& sample, const auto& visit) {
-    window_.push(sample, step(visit));
+  [[gnu::always_inline]] void push(const AnySample& sample, const auto& visit) {
+    if constexpr (check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));
   }
   template <typename AnySample>
-  void push(const AnySample& sample) {
+  [[gnu::always_inline]] void push(const AnySample& sample) {
     push(sample, [](const State&) {});
   }
 
-  /// Brings the state to the last sample. No sample can be added after it. Throws std::invalid_argument if there were
-  /// fewer samples than the scheme needs.
+  /// Brings the state to the last sample. No sample can be added after it.
   void finish(const auto& visit) { window_.finish(step(visit)); }
   void finish() {
     finish([](const State&) {});

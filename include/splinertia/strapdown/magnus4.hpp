@@ -4,12 +4,20 @@
 #include <array>
 #include <cmath>
 #include <splinertia/strapdown/scheme.hpp>
+#include <splinertia/strapdown/stencil.hpp>
 
 namespace splinertia {
 
 /// Fourth order: the Magnus expansion on the Galilean group of the cubic through four neighbouring samples, two before
 /// and two after the step; in the first and the last step of a run, the nearest four. Any intervals: the weights are
 /// exact for cubics on the stamps as they are (regular ones have constant weights).
+///
+/// Intervals that are too unequal: the weights of φ and ν never differ from the trapezoid's by more than h in sum, so
+/// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples and
+/// the nearest one on the side of the longer interval takes its place, and where that would, the straight line. Between
+/// inner samples the cubic stays while no neighbouring interval is below 0.27 of the step's, and the parabola while one
+/// of them is a third of it; so intervals within a factor of three of each other keep order 4. A run of two samples is
+/// integrated with the line, one of three with the parabola.
 ///
 /// What limits it: samples must be of a signal that is smooth to third order. Samples of a cubic spline are not (their
 /// third derivative jumps at knots): there, and with noise, it is no better than Midpoint.
@@ -47,9 +55,7 @@ struct Magnus4 : PointScheme<4, 1, 1> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static Weights<Scalar> weights(const Window& window, std::size_t from, const Scalar& h) {
     if (regular<Scalar>(window, h)) return regular_weights(from, h);
-    const Scalar before = step_interval<Scalar>(window, 0), middle = step_interval<Scalar>(window, 1),
-                 after = step_interval<Scalar>(window, 2);
-    return general_weights(std::array<Scalar, 4>{Scalar(0), before, before + middle, before + middle + after}, from, h);
+    return general_weights(detail::times_from<Scalar>(window, from), from, h);
   }
 
   template <typename Scalar>
@@ -62,21 +68,24 @@ struct Magnus4 : PointScheme<4, 1, 1> {
     return {{a, Scalar(-5) * a, Scalar(19) * a, Scalar(9) * a}, {b, Scalar(-3) * b, Scalar(-57) * b, Scalar(59) * b}};
   }
 
-  /// The moments of Lagrange's cubics: with s = (t − middle of the step)/h and l_j(s) = (s³ − e₁s² + e₂s − e₃)/D over
-  /// s from −1/2 to 1/2, ∫l_j = −(e₁/12 + e₃)/D and ∫s l_j = (1/80 + e₂/12)/D.
+  /// Those for samples at any four times, s.
   template <typename Scalar>
   [[nodiscard]] static Weights<Scalar> general_weights(const std::array<Scalar, 4>& times, std::size_t from,
                                                        const Scalar& h) {
-    std::array<Scalar, 4> s;
-    for (std::size_t j = 0; j < 4; ++j) s[j] = (times[j] - times[from]) / h - Scalar(1) / Scalar(2);
-    Weights<Scalar> w;
-    for (std::size_t j = 0; j < 4; ++j) {
-      const Scalar a = s[(j + 1) % 4], b = s[(j + 2) % 4], c = s[(j + 3) % 4];
-      const Scalar scale = h / ((s[j] - a) * (s[j] - b) * (s[j] - c));
-      w.mean[j] = -((a + b + c) / Scalar(12) + a * b * c) * scale;
-      w.moment[j] = (Scalar(1) / Scalar(80) + (a * b + b * c + c * a) / Scalar(12)) * scale;
-    }
-    return w;
+    const auto s = detail::centred(times, from, h);
+    // ∫sⁿ and ∫s·sⁿ over s from −1/2 to 1/2.
+    const Scalar zero(0), one(1), twelfth = one / Scalar(12);
+    const detail::Functional<Scalar> mean{one, zero, twelfth, zero}, moment{zero, twelfth, zero, one / Scalar(80)};
+    const bool before = from == 2 || (from == 1 && s[1] - s[0] > s[3] - s[2]);
+    return detail::with_stable_weights(s, detail::Nodes<2>{from}, detail::Nodes<3>{before ? from - 1 : from}, mean, one,
+                                       [&](auto nodes, const std::array<Scalar, 4>& of_mean) {
+                                         Weights<Scalar> w{of_mean, lagrange_weights(s, nodes, moment)};
+                                         for (std::size_t j = 0; j < 4; ++j) {
+                                           w.mean[j] *= h;
+                                           w.moment[j] *= h;
+                                         }
+                                         return w;
+                                       });
   }
 
  private:

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <splinertia/require.hpp>
 #include <splinertia/strapdown/imu_covariance.hpp>
+#include <splinertia/strapdown/integration_scheme.hpp>
 #include <splinertia/strapdown/linearized_increment.hpp>
 #include <splinertia/strapdown/preintegrated_imu.hpp>
 #include <splinertia/strapdown/sample_window.hpp>
@@ -24,8 +25,8 @@ struct Noiseless {};
 /// Scheme is one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid, Magnus4 of point samples,
 /// RotationCorrectedIncrements, TwoSampleIncrements of increments. With Noiseless, the default, there is no covariance.
 template <typename Scheme, typename Scalar, TimePoint Time = double, typename Noise = Noiseless>
-  requires LinearizableScheme<Scheme, Scalar,
-                              std::array<typename SampleWindow<Scheme, Scalar, Time>::Sample, Scheme::window>>
+  requires IntegrationScheme<Scheme, Scalar, Time> &&
+           LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>
 class Preintegrator {
   static constexpr bool has_noise = !std::is_same_v<Noise, Noiseless>;
 
@@ -35,7 +36,10 @@ class Preintegrator {
 
   explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
                          const GapOptions<Scalar>& gaps = {})
-      : result_(bias), noise_(noise), window_(start, gaps) {}
+      : result_(bias), noise_(noise), window_(start, gaps) {
+    require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
+    require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
+  }
 
   /// Adds a sample. Throws std::invalid_argument as Integrator does.
   template <ImuSample<Scalar, Time> Sample>
@@ -48,14 +52,13 @@ class Preintegrator {
     requires Scheme::takes_increments
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
-    const Scalar h = to_seconds<Scalar>(Time(sample.time) - window_.last());
+    const Scalar h = window_.since_last(sample.time);
     window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
                                                  sample.delta_velocity - bias.accel * h},
                  step());
   }
 
-  /// Brings the result to the last sample; none can be added after it. Throws std::invalid_argument if there were fewer
-  /// samples than the scheme needs.
+  /// Brings the result to the last sample; none can be added after it.
   void finish() { window_.finish(step()); }
 
   [[nodiscard]] const Result& result() const { return result_; }

@@ -8,7 +8,9 @@
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/refuse.hpp>
+#include <splinertia/strapdown/gap_options.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
+#include <splinertia/strapdown/sample_stamps.hpp>
 #include <splinertia/strapdown/scheme.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -16,15 +18,6 @@
 #include <utility>
 
 namespace splinertia {
-
-/// What to do with an interval between samples that is longer than it should be.
-enum class GapPolicy { refuse, bridge };
-
-template <typename Scalar>
-struct GapOptions {
-  Scalar longest = std::numeric_limits<Scalar>::max();  ///< the longest interval that is none, s
-  GapPolicy policy = GapPolicy::refuse;                 ///< throw, or integrate across it and count it
-};
 
 /// The samples that a scheme looks at, and how far it has come: the part of an integration that knows no state. It
 /// calls `take(window, from, time)` for each step that they allow, with the time of its end. No heap; a copy is an
@@ -38,11 +31,9 @@ class SampleWindow {
   };
   using Sample = std::conditional_t<takes_increments, Interval, TimedImuSample<Scalar, Time>>;
 
-  /// Throws std::invalid_argument unless the longest interval is > 0.
-  explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {}) : last_(start), gaps_(gaps) {
-    if (!(gaps.longest > Scalar(0))) {
-      refuse("the longest interval is ", gaps.longest, " s, expected one > 0");
-    }
+  /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
+  explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {})
+      : stamps_(start, gaps, std::max<std::size_t>(window - 1, 1)) {
     const Vector3<Scalar> zero = Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
       samples_.fill({{zero, zero, Scalar(0)}, start});
@@ -51,106 +42,120 @@ class SampleWindow {
     }
   }
 
-  /// Adds a point sample: the first one at the start. Throws std::invalid_argument otherwise, for a stamp that is not
-  /// after the last one, and for a gap that is refused; then nothing has changed.
+  /// Adds a point sample: the first one at the start. Throws std::invalid_argument otherwise, for readings that are not
+  /// finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
   template <typename AnySample>
     requires(!takes_increments && ImuSample<AnySample, Scalar, Time>)
-  void push(const AnySample& sample, const auto& take) {
-    const Time time = sample.time;
-    if (count_ > 0) {
-      check(time);
-    } else if (!(time == last_)) {
-      refuse("the first sample is at ", printable(time), ", the initial state at ", printable(last_));
-    }
-    append({time, sample.gyro, sample.accel});
+  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
+    const Time time = any.time;
+    check(time, any.gyro, any.accel);
+    append({time, any.gyro, any.accel});
     advance(take);
   }
 
   /// Adds an increment: the first one begins at the start.
   template <typename AnySample>
     requires(takes_increments && ImuIncrement<AnySample, Scalar, Time>)
-  void push(const AnySample& sample, const auto& take) {
-    const Time time = sample.time;
-    check(time);
-    append({{sample.delta_angle, sample.delta_velocity, to_seconds<Scalar>(time - last_)}, time});
+  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
+    const Time time = any.time;
+    check(time, any.delta_angle, any.delta_velocity);
+    append({{any.delta_angle, any.delta_velocity, stamps_.since_last(time)}, time});
     advance(take);
   }
 
-  /// The steps that wait for samples which will not come: one-sided, or shorter. Throws std::invalid_argument if there
-  /// were fewer samples than the scheme needs.
+  /// The steps that wait for samples which will not come: one-sided, or shorter. Where there are fewer point samples
+  /// than the scheme looks at, it sees the first one several times, at intervals of 0.
   void finish(const auto& take) {
     if constexpr (!takes_increments) {
-      if (count_ > 1 && count_ < window) {
-        refuse(count_, " samples, expected at least ", window, ", which is what the scheme looks at");
-      }
+      if (pushed_ > 0 && pushed_ < window) std::fill_n(samples_.begin(), window - pushed_, samples_[window - pushed_]);
     }
-    if (count_ > 0) {
+    if (pushed_ > 0) {
       while (waiting() > 0) step(take);
     }
   }
 
   /// The time of the last sample, or of the start.
-  [[nodiscard]] Time last() const { return last_; }
+  [[nodiscard]] Time last() const { return stamps_.last(); }
+  /// From there to a later time, s.
+  [[nodiscard]] Scalar since_last(Time time) const { return stamps_.since_last(time); }
   /// How many gaps have been bridged.
-  [[nodiscard]] std::size_t gaps() const { return bridged_; }
+  [[nodiscard]] std::size_t gaps() const { return stamps_.gaps(); }
 
  private:
   static constexpr std::size_t window = Scheme::window;
+  using Stamps = detail::SampleStamps<Scalar, Time>;
 
-  // Out of the way of what is inlined, and given copies: whose address is taken stays in memory.
-  [[noreturn, gnu::noinline, gnu::cold]] static void refuse(auto... parts) {
-    splinertia::refuse<std::invalid_argument>("integrate: ", parts...);
-  }
-
-  void check(Time time) {
-    if (!(time > last_) || !is_finite(time)) {
-      refuse("sample ", pushed_, " is at ", printable(time), ", expected a time after ", printable(last_));
-    }
-    const Scalar interval = to_seconds<Scalar>(time - last_);
-    const bool gap = interval > gaps_.longest;
-    if (gap && gaps_.policy == GapPolicy::refuse) {
-      refuse("sample ", pushed_, " at ", printable(time), " comes ", interval,
-             " s after the one before, expected at most ", gaps_.longest, " s");
-    }
+  [[gnu::always_inline]] void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+    using std::abs;
     if constexpr (Scheme::needs_equal_intervals) {
-      using std::abs;
       // A hundredth puts as much of an error into the correction, which is itself small; jitter of stamps is below it.
-      if (count_ > 0 && !(abs(interval - samples_.back().interval) <= samples_.back().interval / Scalar(100))) {
-        refuse("sample ", pushed_, " at ", printable(time), " comes ", interval, " s after the one before, expected ",
-               samples_.back().interval, " s: the scheme needs equal intervals");
+      const Scalar interval = stamps_.since_last(time), expected = samples_.back().interval;
+      if (pushed_ > 0 && time > last() && !(abs(interval - expected) <= expected / Scalar(100))) {
+        refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " comes ", interval,
+                                      " s after the one before, expected ", expected,
+                                      " s: the scheme needs equal intervals");
       }
     }
-    if (gap) ++bridged_;
+    // A sum is finite only where all that is in it is. That of very large numbers may not be: examined() looks again.
+    const Scalar sum = abs((rate + force).sum());
+    if (!(stamps_.follows(time) && sum <= (std::numeric_limits<Scalar>::max)())) [[unlikely]]
+      examine(time, rate, force);
+  }
+
+  // Out of the way of what is inlined.
+  [[gnu::noinline, gnu::cold]] void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+    Stamps stamps = stamps_;
+    if (takes_increments || pushed_ > 0) {
+      stamps = stamps_.judged(time, pushed_, takes_increments ? pushed_ : pushed_ - 1);
+    } else if (time == last()) {
+      stamps = stamps_.begun();
+    } else {
+      refuse<std::invalid_argument>("integrate: the first sample is at ", printable(time), ", the initial state at ",
+                                    printable(last()));
+    }
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      check_reading(rate[i], takes_increments ? "delta_angle" : "gyro", i, time);
+      check_reading(force[i], takes_increments ? "delta_velocity" : "accel", i, time);
+    }
+    stamps_ = stamps;
+  }
+
+  void check_reading(const Scalar& reading, const char* sensor, Eigen::Index axis, Time time) const {
+    if (!is_finite(reading)) {
+      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
+                                    "] = ", reading, ", expected a finite number");
+    }
   }
 
   void append(const Sample& sample) {
     for (std::size_t i = 0; i + 1 < window; ++i) samples_[i] = samples_[i + 1];
     samples_.back() = sample;
-    last_ = sample.time;
+    stamps_.append(sample.time);
     ++pushed_;
-    // The position is that of the sample (point samples) or of the increment that the next step begins with.
-    from_ = count_ == 0 ? window - 1 : from_ - 1;
-    if (count_ < window) ++count_;
   }
 
   // Intervals that no step has covered yet.
   [[nodiscard]] std::size_t waiting() const { return window - from_ - (takes_increments ? 0 : 1); }
 
-  void advance(const auto& take) {
-    if constexpr (!takes_increments) {
-      // All steps but the first and the last ones begin at the same place in the window.
-      constexpr std::size_t usual = window - 1 - Scheme::stride - Scheme::lead;
-      if (count_ == window && from_ == usual) [[likely]] {
-        from_ = usual + Scheme::stride;
-        take(samples_, usual, samples_[usual + Scheme::stride].time);
-        return;
-      }
+  [[gnu::always_inline]] void advance(const auto& take) {
+    // The position is that of the sample (point samples) or of the increment that the next step begins with.
+    const std::size_t from = from_ - 1;
+    // All steps but the first and the last ones begin at the same place in the window.
+    constexpr std::size_t usual = window - (takes_increments ? 0 : 1) - Scheme::stride - Scheme::lead;
+    if (from == usual && (usual == 0 || pushed_ >= window)) [[likely]] {
+      from_ = usual + Scheme::stride;
+      take(samples_, usual, samples_[usual + Scheme::stride - (takes_increments ? 1 : 0)].time);
+      return;
     }
-    while (count_ == window && waiting() >= Scheme::stride + Scheme::lead) step(take);
+    from_ = from;
+    if constexpr (usual > 0) {
+      if (from > usual) return;
+      while (pushed_ >= window && waiting() >= Scheme::stride + Scheme::lead) step(take);
+    }
   }
 
   void step(const auto& take) {
-    const std::size_t intervals = std::min(Scheme::stride, waiting());
+    const std::size_t intervals = (std::min)(Scheme::stride, waiting());
     const std::size_t from = std::exchange(from_, from_ + intervals);  // first: `take` may throw
     if constexpr (takes_increments) {
       take(samples_, from, samples_[from_ - 1].time);
@@ -161,9 +166,9 @@ class SampleWindow {
   }
 
   std::array<Sample, window> samples_;
-  std::size_t from_ = 0, count_ = 0, pushed_ = 0, bridged_ = 0;
-  Time last_;
-  GapOptions<Scalar> gaps_;
+  std::size_t from_ = window;
+  Stamps stamps_;
+  std::size_t pushed_ = 0;
 };
 
 }  // namespace splinertia

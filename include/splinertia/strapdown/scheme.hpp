@@ -11,6 +11,7 @@
 /// The window of increments is not full where fewer have come: then the interval of what is missing is 0.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <splinertia/flatten.hpp>
 #include <splinertia/strapdown/galilean.hpp>
@@ -76,7 +77,14 @@ template <typename Scalar>
 
 /// Whether a scheme gives the integrals of rate and force.
 template <typename Scheme, typename Scalar, typename Window>
-concept HasMoments = requires(const Window& window) { Scheme::template moments<Scalar>(window, std::size_t{0}); };
+concept HasMoments =
+    requires(const Window& window) { increment_from(Scheme::template moments<Scalar>(window, std::size_t{0})); };
+
+/// Whether a scheme gives the motion itself.
+template <typename Scheme, typename Scalar, typename Window>
+concept HasIncrement = requires(const Window& window) {
+  { Scheme::template increment<Scalar>(window, std::size_t{0}) } -> std::convertible_to<NavIncrement<Scalar>>;
+};
 
 /// What the body has done in the step of a scheme from window[from] on.
 template <typename Scheme, typename Scalar, typename Window>

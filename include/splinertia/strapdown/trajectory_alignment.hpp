@@ -137,11 +137,12 @@ enum class Alignment { none, origin, yaw, se3, sim3 };
 /// The transform from the world of the estimate to that of the reference, from the first `count` pairs if there are as
 /// many. Throws std::invalid_argument for no pairs, and as fit_similarity() and fit_yaw() do.
 template <Pose G, TimePoint Time>
-[[nodiscard]] SimilarityTransform<ScalarOf<G>> alignment(const std::vector<PosePair<G, Time>>& pairs, Alignment kind,
-                                                         std::size_t count = std::numeric_limits<std::size_t>::max()) {
+[[nodiscard]] SimilarityTransform<ScalarOf<G>> alignment(
+    const std::vector<PosePair<G, Time>>& pairs, Alignment kind,
+    std::size_t count = (std::numeric_limits<std::size_t>::max)()) {
   using Scalar = ScalarOf<G>;
   using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
-  count = std::min(count, pairs.size());
+  count = (std::min)(count, pairs.size());
   if (count == 0) refuse<std::invalid_argument>("alignment: no pairs of poses");
   SimilarityTransform<Scalar> result;
   if (kind == Alignment::none) return result;
@@ -180,7 +181,7 @@ template <Pose G, TimePoint Time>
 /// The pairs with the estimate aligned; throws as alignment() does.
 template <Pose G, TimePoint Time>
 [[nodiscard]] std::vector<PosePair<G, Time>> aligned(const std::vector<PosePair<G, Time>>& pairs, Alignment kind,
-                                                     std::size_t count = std::numeric_limits<std::size_t>::max()) {
+                                                     std::size_t count = (std::numeric_limits<std::size_t>::max)()) {
   return transformed(pairs, alignment(pairs, kind, count));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <ranges>
@@ -37,12 +38,12 @@ concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::si
 /// Throws std::invalid_argument if there are no poses, one is not finite, or times do not increase.
 template <PoseRange Poses>
 void check_poses(const Poses& poses, std::string_view name) {
-  const auto count = std::ranges::distance(poses);
+  const auto count = std::ranges::ssize(poses);
   if (count == 0) refuse<std::invalid_argument>("associate: the ", name, " has no poses");
   const auto first = std::ranges::begin(poses);
   for (auto i = count - count; i < count; ++i) {
     const auto& [time, pose] = first[i];
-    if (!position(pose).allFinite() || !rotation(pose).unit_quaternion().coeffs().allFinite()) {
+    if (!all_finite(position(pose)) || !all_finite(rotation(pose).unit_quaternion().coeffs())) {
       refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is not finite");
     }
     if (!is_finite(time) || (i > 0 && !(time > first[i - 1].time))) {
@@ -56,10 +57,11 @@ void check_poses(const Poses& poses, std::string_view name) {
 template <PoseRange Poses, TimePoint Time>
 [[nodiscard]] const auto& nearest_pose(const Poses& poses, Time time) {
   const auto first = std::ranges::begin(poses);
-  const auto after = std::ranges::lower_bound(poses, time, {}, [](const auto& stamped) { return stamped.time; });
+  const auto end = first + std::ranges::ssize(poses);
+  const auto after = std::lower_bound(first, end, time, [](const auto& stamped, Time t) { return stamped.time < t; });
   if (after == first) return *after;
   const auto before = after - 1;
-  return after == std::ranges::end(poses) || time - before->time <= after->time - time ? *before : *after;
+  return after == end || time_between(before->time, time) <= time_between(time, after->time) ? *before : *after;
 }
 
 /// Pairs two trajectories by time: each pose of the shorter one (of the estimate, if they are of the same length) with
@@ -79,7 +81,7 @@ template <PoseRange Reference, PoseRange Estimate>
 
   std::vector<PosePair<decltype(Value::value), decltype(Value::time)>> pairs;
   const auto add = [&](const Value& r, const Value& e) {
-    const double difference = to_seconds<double>(r.time > e.time ? r.time - e.time : e.time - r.time);
+    const double difference = std::abs(to_seconds<double>(time_between(r.time, e.time)));
     if (difference <= max_difference) pairs.push_back({e.time, r.value, e.value});
   };
   if (std::ranges::size(estimate) > std::ranges::size(reference)) {
@@ -90,7 +92,7 @@ template <PoseRange Reference, PoseRange Estimate>
   if (pairs.empty()) {
     const auto span = [](const auto& poses) {
       return message(printable(std::ranges::begin(poses)->time), " to ",
-                     printable(std::ranges::begin(poses)[std::ranges::distance(poses) - 1].time));
+                     printable(std::ranges::begin(poses)[std::ranges::ssize(poses) - 1].time));
     };
     refuse<std::invalid_argument>("associate: no pose of the estimate (", span(estimate), ") is within ",
                                   max_difference, " s of one of the reference (", span(reference), ")");

@@ -45,7 +45,7 @@ template <Pose G, TimePoint Time>
   if (step == 0) refuse<std::invalid_argument>("drift_errors: step 0, expected 1 or more");
   const auto path = reference_path(pairs);
   IndexPairs segments;
-  for (std::size_t i = 0; i < path.size(); i += std::min(step, path.size() - i)) {
+  for (std::size_t i = 0; i < path.size(); i += (std::min)(step, path.size() - i)) {
     const auto end = std::upper_bound(path.begin() + static_cast<std::ptrdiff_t>(i), path.end(), path[i] + length);
     if (end == path.end()) break;
     segments.emplace_back(i, static_cast<std::size_t>(end - path.begin()));

@@ -101,15 +101,15 @@ template <Pose G, TimePoint Time>
   }
   IndexPairs indices;
   for (std::size_t i = 0; i + 1 < pairs.size();) {
-    const auto miss = [&](auto at) { return abs(to_seconds<double>(at->time - pairs[i].time) - delta); };
+    const auto since = [&](const auto& pair) { return to_seconds<double>(time_between(pairs[i].time, pair.time)); };
+    const auto miss = [&](auto at) { return abs(since(*at) - delta); };
     const auto next = pairs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-    auto best = std::partition_point(
-        next, pairs.end(), [&](const auto& pair) { return to_seconds<double>(pair.time - pairs[i].time) < delta; });
+    auto best = std::partition_point(next, pairs.end(), [&](const auto& pair) { return since(pair) < delta; });
     if (best == pairs.end() || (best != next && miss(best - 1) <= miss(best))) --best;
     const auto j = static_cast<std::size_t>(best - pairs.begin());
-    const bool near = miss(best) <= delta * tolerance;
-    if (near) indices.emplace_back(i, j);
-    i = near && selection == PairSelection::consecutive ? j : i + 1;
+    const bool nearby = miss(best) <= delta * tolerance;
+    if (nearby) indices.emplace_back(i, j);
+    i = nearby && selection == PairSelection::consecutive ? j : i + 1;
   }
   if (indices.empty()) {
     refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,

@@ -38,7 +38,7 @@ namespace detail {
 /// By how much the logarithm of the likelihood of `n` independent samples falls, twice, from one correlation to
 /// another.
 [[nodiscard]] inline double likelihood_drop(double n, double from, double to) {
-  const auto left = [](double c) { return std::max(1e-12, 1 - std::max(c, 0.0) * std::max(c, 0.0)); };
+  const auto left = [](double c) { return (std::max)(1e-12, 1 - (std::max)(c, 0.0) * (std::max)(c, 0.0)); };
   return n * std::log(left(to) / left(from));
 }
 
@@ -56,8 +56,8 @@ class OffsetSearch {
 
   OffsetSearch(const AngularSpeed& reference, const AngularSpeed& estimate, double range, double window)
       : estimate_(estimate), window_(window), step_(window / 8), lags_(static_cast<std::ptrdiff_t>(range / step_) + 1) {
-    start_ = std::max(reference.begin(), estimate.begin() - range);
-    const double length = std::min(reference.end(), estimate.end() + range) - start_;
+    start_ = (std::max)(reference.begin(), estimate.begin() - range);
+    const double length = (std::min)(reference.end(), estimate.end() + range) - start_;
     const std::size_t count = length > 0 ? static_cast<std::size_t>(length / step_) + 1 : 0;
     reference_speeds_ = reference.sampled(start_, window, count);
     estimate_speeds_ = estimate.sampled(start_ - static_cast<double>(lags_) * step_, window,
@@ -73,7 +73,7 @@ class OffsetSearch {
       correlation.push_back(regression.correlation);
       counts.push_back(regression.count);
     }
-    const std::size_t most = *std::ranges::max_element(counts);
+    const std::size_t most = *std::max_element(counts.begin(), counts.end());
     if (most < 20 * 8) {
       return {{},
               message("the angular speeds of both are known for ", rounded(static_cast<double>(most) * step_),
@@ -82,7 +82,7 @@ class OffsetSearch {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (2 * counts[i] < most) correlation[i] = 0;
     }
-    const auto best = std::ranges::max_element(correlation) - correlation.begin();
+    const auto best = std::max_element(correlation.begin(), correlation.end()) - correlation.begin();
     if (const std::string fault = objection(correlation, best, independent_samples(most)); !fault.empty()) {
       return {{}, fault};
     }
@@ -131,7 +131,7 @@ class OffsetSearch {
       const double enough = std::clamp(20 * deviation, window_ / 1000, window_ / 4);
       offset += newton;
       if (iteration < 20 && (std::abs(newton) > 1e-6 * window_ || enough < h / 2)) {
-        if (std::abs(newton) < h / 10) h = std::min(h, enough);
+        if (std::abs(newton) < h / 10) h = (std::min)(h, enough);
         continue;
       }
       if (!(deviation <= window_ / 40)) {
@@ -150,10 +150,10 @@ class OffsetSearch {
       return SpeedRegression(speeds.first(speeds.size() - lag), speeds.last(speeds.size() - lag)).correlation;
     };
     double sum = 1;
-    for (std::size_t lag = 1; lag < std::min(static_cast<std::size_t>(lags_), size() / 4); ++lag) {
+    for (std::size_t lag = 1; lag < (std::min)(static_cast<std::size_t>(lags_), size() / 4); ++lag) {
       sum += 2 * autocorrelation(reference_speeds_, lag) * autocorrelation(estimate_speeds_, lag);
     }
-    return static_cast<double>(count) / std::max(1.0, sum);
+    return static_cast<double>(count) / (std::max)(1.0, sum);
   }
 
   /// Why the maximum of the correlation is none of one offset alone; "" if it is.
@@ -170,7 +170,7 @@ class OffsetSearch {
       double valley = most;
       for (std::ptrdiff_t i = best; i >= 0 && i <= 2 * lags_; i += direction) {
         const double other = correlation[static_cast<std::size_t>(i)];
-        valley = std::min(valley, other);
+        valley = (std::min)(valley, other);
         if (likelihood_drop(independent, other, valley) >= 4 && likelihood_drop(independent, most, other) < 10) {
           return message("the motion repeats itself: ", rounded(offset(best)), " s and ", rounded(offset(i)),
                          " s agree about as well");
@@ -207,7 +207,7 @@ template <PoseRange Reference, PoseRange Estimate>
   const auto origin = std::ranges::begin(reference)->time;
   const detail::AngularSpeed of_reference(reference, origin), of_estimate(estimate, origin);
   double window = options.window;
-  if (window == 0) window = std::max({0.1, 4 * of_reference.median_interval(), 4 * of_estimate.median_interval()});
+  if (window == 0) window = (std::max)({0.1, 4 * of_reference.median_interval(), 4 * of_estimate.median_interval()});
   if (!(window > 0) || !is_finite(window)) {
     refuse<std::invalid_argument>("estimate_time_offset: window ", window, " s, expected > 0 s");
   }

@@ -28,7 +28,7 @@
 namespace splinertia::detail {
 
 /// Why a row is bad.
-enum class RowFault { malformed, not_finite, not_unit, duplicate, backward, far };
+enum class RowFault { malformed, not_finite, not_unit, duplicate, backward, distant };
 
 inline constexpr std::array<std::string_view, 6> row_fault_names{"malformed",
                                                                  "with NaN or infinity",
@@ -107,7 +107,7 @@ class RowReader {
     const char* const end = text.data() + text.size();
     const auto [behind, error] = std::from_chars(text.data(), end, count);
     if (error == std::errc{} && behind == end) {
-      constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+      constexpr std::int64_t most = (std::numeric_limits<std::int64_t>::max)();
       if (count > most / factor_ || count < -(most / factor_)) return false;
       time_ = std::chrono::nanoseconds{count * factor_};
       return true;

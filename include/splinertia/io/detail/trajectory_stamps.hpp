@@ -42,7 +42,7 @@ inline constexpr RateRange pose_rates{0.01, 20e3};
 
 /// Indices of the fewest stamps to leave out such that the rest increases. Earlier stamps are kept where either may be.
 [[nodiscard]] inline std::vector<std::size_t> out_of_order(std::span<const std::chrono::nanoseconds> times) {
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> ends, before(times.size(), none);  // of the best increasing choice of each length
   std::size_t kept = none;                                    // the first end of the longest
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -78,7 +78,7 @@ struct FarStamps {
     const std::size_t n = times.size(), side = std::max<std::size_t>(1, n / 100);
     if (n < 5) return;
     const double span = static_cast<double>(stamp_distance(times[side], times[n - 1 - side]));
-    const double limit = std::max(60e9, 1000 * span);
+    const double limit = (std::max)(60e9, 1000 * span);
     for (std::size_t i = 0; i < side; ++i) {
       if (static_cast<double>(stamp_distance(times[i], times[i + 1])) > limit) first = i + 1;
       if (static_cast<double>(stamp_distance(times[n - 2 - i], times[n - 1 - i])) > limit) last = i + 1;

@@ -48,7 +48,7 @@ class TrajectoryTable {
   void expect_rows(std::size_t rows, double progress) {
     if (poses.capacity() > poses.size() + 4096 || !(progress > 0)) return;
     const auto expected = static_cast<std::size_t>(1.02 * static_cast<double>(rows) / progress);
-    poses.reserve(std::max(expected, 2 * poses.size()));
+    poses.reserve((std::max)(expected, 2 * poses.size()));
     lines.reserve(poses.capacity());
     if (has_velocity_) velocities.reserve(poses.capacity());
     if (has_gyro_bias_) gyro_biases.reserve(poses.capacity());
@@ -69,8 +69,8 @@ class TrajectoryTable {
   void remove_wrong_stamps() {
     const auto follows = [](const auto& a, const auto& b) { return !(a.time < b.time); };
     if (std::adjacent_find(poses.begin(), poses.end(), follows) != poses.end()) remove_out_of_order();
-    const FarStamps far(times());
-    if (far.first + far.last > 0) remove_far(far);
+    const FarStamps distant(times());
+    if (distant.first + distant.last > 0) remove_far(distant);
   }
 
   /// Throws std::runtime_error about the bad rows: the first few, and how many there are.
@@ -103,7 +103,7 @@ class TrajectoryTable {
     if (poses.size() < 2) return;
     const auto text = [&](std::size_t i) { return message(stamp_text(poses[i].time, layout.unit), unit_text()); };
     const std::size_t last = poses.size() - 1;
-    if (stamp_distance(poses[0].time, poses[last].time) > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
+    if (stamp_distance(poses[0].time, poses[last].time) > std::uint64_t{(std::numeric_limits<std::int64_t>::max)()}) {
       throw std::runtime_error(message(path_, ": the poses span more than 292 years, from ", text(0), " in line ",
                                        lines[0], " to ", text(last), " in line ", lines[last]));
     }
@@ -164,17 +164,17 @@ class TrajectoryTable {
     remove(out);
   }
 
-  void remove_far(const FarStamps& far) {
+  void remove_far(const FarStamps& distant) {
     const std::size_t n = poses.size();
     std::vector<bool> out(n);
     const auto text = [&](std::size_t i) { return message(stamp_text(poses[i].time, layout.unit), unit_text()); };
-    const std::size_t first = far.first, last = n - 1 - far.last;  // of those that stay
+    const std::size_t first = distant.first, last = n - 1 - distant.last;  // of those that stay
     const std::string span = stamp_text(poses[last].time - poses[first].time, TimeUnit::seconds);
     for (std::size_t i = 0; i < n; ++i) {
       out[i] = i < first || i > last;
       if (!out[i]) continue;
       const std::size_t from = i < first ? first - 1 : last;
-      add_bad({lines[i], RowFault::far,
+      add_bad({lines[i], RowFault::distant,
                message("stamps step from ", text(from), " to ", text(from + 1), " in line ", lines[from + 1],
                        ", the rest span ", span, " s")});
     }

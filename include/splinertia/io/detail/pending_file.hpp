@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+/// A file that nobody sees until it is complete.
+#pragma once
+
+#include <splinertia/cpp20.hpp>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <random>
+#include <splinertia/io/write_error.hpp>
+#include <splinertia/message.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#if __has_include(<unistd.h>)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+namespace splinertia::detail {
+
+/// The path behind symbolic links, of which there is no loop. The last one may lead to a file that is not there yet.
+[[nodiscard]] inline std::filesystem::path behind_links(std::filesystem::path path) {
+  std::error_code error;
+  while (std::filesystem::is_symlink(path, error)) {
+    path = path.parent_path() / std::filesystem::read_symlink(path);
+  }
+  return path;
+}
+
+/// A file without a name where the system has such (Linux: O_TMPFILE, on most local file systems), so that whatever
+/// ends the program leaves nothing of it; else a hidden file `.splinertia.NUMBER.tmp` beside the target, which a
+/// program that is killed leaves.
+class PendingFile {
+ public:
+  /// Creates it. Throws std::runtime_error if the target cannot be written: it is no regular file, it is read-only, its
+  /// name is too long, there is no such folder, …
+  explicit PendingFile(const std::filesystem::path& path) : given_(path), target_(path) {
+    std::error_code error;
+    const auto old = std::filesystem::status(path, error);
+    if (old.type() == std::filesystem::file_type::none) refuse("cannot be written", error);
+    const bool replaces = std::filesystem::exists(old);
+    if (replaces && !std::filesystem::is_regular_file(old)) refuse("exists and is not a regular file");
+    if (replaces && is_read_only(old.permissions())) refuse("is read-only");
+    target_ = behind_links(path);
+    create_nameless();
+    if (!file_) create_named();
+    std::setvbuf(file_, nullptr, _IONBF, 0);  // the buffer is the caller's
+    if (!replaces) return;
+    std::filesystem::permissions(source_, old.permissions() & usual_permissions, error);
+    if (error) fail("cannot get the permissions of the old file", error);
+  }
+
+  PendingFile(PendingFile&& other) noexcept
+      : given_(std::move(other.given_)),
+        target_(std::move(other.target_)),
+        source_(std::exchange(other.source_, {})),
+        file_(std::exchange(other.file_, nullptr)),
+        nameless_(other.nameless_) {}
+  PendingFile& operator=(PendingFile&&) = delete;
+
+  ~PendingFile() { discard(); }
+
+  /// The path that it was given.
+  [[nodiscard]] const std::filesystem::path& given() const { return given_; }
+  /// Where it is going to be. Links are followed.
+  [[nodiscard]] const std::filesystem::path& target() const { return target_; }
+  /// Where it can be looked at until it is published.
+  [[nodiscard]] const std::filesystem::path& source() const { return source_; }
+
+  void write(std::string_view text) {
+    if (!file_) throw std::runtime_error(message(target_.string(), ": was committed or abandoned before"));
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("cannot write", last_error());
+  }
+
+  /// Replaces the beginning of the file, at least as long, by a text of its size.
+  void overwrite_begin(std::string_view text) {
+    errno = 0;
+    if (std::fseek(file_, 0, SEEK_SET) != 0) fail("cannot write", last_error());
+    write(text);
+    if (std::fseek(file_, 0, SEEK_END) != 0) fail("cannot write", last_error());
+  }
+
+  /// Says that everything is written. A file without a name stays open, because it is gone when it is closed.
+  void complete() {
+    errno = 0;
+    if (!nameless_ && std::fclose(std::exchange(file_, nullptr)) != 0) fail("cannot write", last_error());
+  }
+
+  /// Puts the file, when complete, in the target's place.
+  void publish() {
+    std::error_code error;
+    if (nameless_) {
+      error = link_to(target_);
+      if (error == std::errc::file_exists) {  // a link cannot replace a file, but a file with a name can
+        auto temporary = temporary_path();
+        error = link_to(temporary);
+        if (!error) source_ = std::move(temporary);
+        if (!error) nameless_ = false;
+      } else if (!error) {
+        source_.clear();
+      }
+    }
+    if (!error && !source_.empty()) std::filesystem::rename(source_, target_, error);
+    if (error) fail("cannot put the new file in place", error);
+    source_.clear();
+    discard();
+  }
+
+  void discard() noexcept {
+    if (file_) std::fclose(std::exchange(file_, nullptr));
+    std::error_code ignored;
+    if (!nameless_ && !source_.empty()) std::filesystem::remove(source_, ignored);
+    source_.clear();
+  }
+
+ private:
+  static constexpr auto usual_permissions = std::filesystem::perms::all;  // rwx; not set-user-ID and such
+
+  [[nodiscard]] static std::error_code last_error() { return {errno, std::generic_category()}; }
+
+  /// Says so for the superuser as well, whom the system would let write.
+  [[nodiscard]] bool is_read_only(std::filesystem::perms permissions) const {
+    using std::filesystem::perms;
+    if ((permissions & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none) return true;
+#if __has_include(<unistd.h>)
+    return ::access(target_.c_str(), W_OK) != 0;
+#else
+    return false;
+#endif
+  }
+
+  [[nodiscard]] std::filesystem::path folder() const {
+    return target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
+  }
+
+  /// Short, because the name of the target may be as long as a name can be.
+  [[nodiscard]] std::filesystem::path temporary_path() const {
+    return folder() / message(".splinertia.", std::random_device()(), ".tmp");
+  }
+
+#ifdef O_TMPFILE
+  void create_nameless() {
+    const int descriptor = ::open(folder().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (descriptor < 0) return;
+    source_ = message("/proc/self/fd/", descriptor);
+    nameless_ = true;
+    // Only through /proc it can get a name.
+    if (::access(source_.c_str(), F_OK) == 0) file_ = ::fdopen(descriptor, "wb");
+    if (!file_) ::close(descriptor);
+  }
+  [[nodiscard]] std::error_code link_to(const std::filesystem::path& name) const {
+    errno = 0;
+    ::linkat(AT_FDCWD, source_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+    return last_error();
+  }
+#else
+  void create_nameless() {}
+  [[nodiscard]] std::error_code link_to(const std::filesystem::path&) const { return {}; }
+#endif
+
+  void create_named() {
+    nameless_ = false;
+    do {
+      source_ = temporary_path();
+      errno = 0;
+      file_ = std::fopen(source_.string().c_str(), "wbx");
+    } while (!file_ && errno == EEXIST);
+    if (!file_) {
+      source_.clear();
+      refuse("cannot create a file beside it", last_error());
+    }
+  }
+
+  [[noreturn]] void refuse(std::string_view what) const {
+    throw std::runtime_error(message(target_.string(), ": ", what));
+  }
+  [[noreturn]] void refuse(std::string_view what, std::error_code error) const {
+    refuse(message(what, ": ", error.message()));
+  }
+  [[noreturn]] void fail(std::string_view what, std::error_code error) {
+    discard();
+    throw WriteError(message(target_.string(), ": ", what, ": ", error.message()));
+  }
+
+  std::filesystem::path given_, target_, source_;
+  std::FILE* file_ = nullptr;
+  bool nameless_ = false;
+};
+
+}  // namespace splinertia::detail

@@ -1,0 +1,8 @@
+// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+#include <splinertia/imu/error_model.hpp>
+using namespace splinertia;
+struct Bad {
+  struct State {};
+  void apply(Sample<float> sample, State&) const { sample.value.setZero(); }
+};
+const ErrorModel model{Bad{}};

@@ -1,0 +1,9 @@
+// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+#include <splinertia/imu/error_model.hpp>
+using namespace splinertia;
+struct Bad {
+  struct State {};
+  int count = 0;
+  void apply(Sample<double>& sample, State&) { sample.value.x() += ++count; }
+};
+const ErrorModel model{Bad{}};

@@ -1,0 +1,8 @@
+// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+#include <splinertia/imu/error_model.hpp>
+using namespace splinertia;
+struct Bad {
+  struct State {};
+  void apply(Vector3<double>& reading, State&) const { reading.setZero(); }
+};
+const ErrorModel model{Bad{}};

@@ -1,0 +1,7 @@
+// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+#include <splinertia/imu/error_model.hpp>
+using namespace splinertia;
+struct Bad {
+  struct State {};
+};
+const ErrorModel model{Bad{}};

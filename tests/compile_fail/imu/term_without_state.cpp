@@ -1,0 +1,7 @@
+// expect: an error term needs a State: write .struct State \{\};
+#include <splinertia/imu/error_model.hpp>
+using namespace splinertia;
+struct Bad {
+  void apply(Sample<double>& sample, auto&) const { sample.value.setZero(); }
+};
+const ErrorModel model{Bad{}};
