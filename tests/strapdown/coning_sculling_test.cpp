@@ -4,6 +4,7 @@
 #include <splinertia/strapdown/coning_sculling.hpp>
 
 #include "strapdown/convergence.hpp"
+#include "strapdown/stamp_patterns.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia;
@@ -117,4 +118,9 @@ TEST_CASE("Three increments at a time are refused where they are unequal") {
                     "integrate: sample 2 at 1.75 comes 0.75 s after the one before, expected 0.5 s: the scheme needs "
                     "equal intervals");
   CHECK_NOTHROW(integrate<ThreeSampleIncrements>(initial, std::vector{at(0.5), at(1), at(1.504)}));
+}
+
+TEMPLATE_TEST_CASE("Two increments at a time are off by at most twice as much as single ones, whatever the stamps", "",
+                   float, double) {
+  testing::check_never_amplifies<TwoSampleIncrements, RotationCorrectedIncrements, TestType>();
 }

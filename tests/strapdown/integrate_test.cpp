@@ -119,3 +119,30 @@ TEST_CASE("Samples that do not follow each other or the state are refused") {
                     "integrate: sample 2 is at 2, expected a time after 2");
   CHECK_THROWS_AS(integrate<Euler>(initial, std::vector{at(1), at(std::nan(""))}), std::invalid_argument);
 }
+
+TEST_CASE("Readings, states and gravity that are not finite are refused") {
+  const double nan = std::nan("");
+  const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 1};
+  const auto at = [](double t, double force) { return Row{t, {0, 0, 0}, {force, 0, 0}}; };
+  CHECK_THROWS_WITH(integrate<Midpoint>(initial, std::vector{at(1, 0), at(2, nan), at(3, 0)}),
+                    "integrate: sample 1 at 2 has accel[0] = nan, expected a finite number");
+  CHECK_THROWS_WITH(integrate<Midpoint>({{}, {0, nan, 0}, {0, 0, 0}, 1}, std::vector{at(1, 0)}),
+                    "integrate: the initial velocity[1] is nan, expected a finite number");
+  CHECK_THROWS_WITH(integrate<Midpoint>({{}, {0, 0, 0}, {0, 0, nan}, 1}, std::vector{at(1, 0)}),
+                    "integrate: the initial position[2] is nan, expected a finite number");
+  CHECK_THROWS_WITH(integrate<Midpoint>(initial, std::vector{at(1, 0)}, {0, 0, nan}),
+                    "integrate: gravity[2] is nan, expected a finite number");
+  const IntegrationOptions<double, RotatingFrame<double>> turning{.frame = {{0, 0, nan}}};
+  CHECK_THROWS_AS(integrate<Midpoint>(initial, std::vector{at(1, 0)}, {0, 0, 0}, turning), std::invalid_argument);
+}
+
+TEMPLATE_TEST_CASE("A body at rest stays where it is on two or three samples", "", Midpoint, Magnus4) {
+  const NavState<double> initial{{}, {0, 0, 0}, {1, 2, 3}, 0};
+  for (int n = 2; n <= 3; ++n) {
+    std::vector<Row> rows;
+    for (int i = 0; i < n; ++i) rows.push_back({0.25 * i, {0, 0, 0}, {0, 0, 10}});
+    const auto states = integrate<TestType>(initial, rows, {0, 0, -10});
+    REQUIRE(states.size() == rows.size());
+    CHECK((states.back().p_WB - initial.p_WB).norm() < 1e-15);
+  }
+}

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <splinertia/strapdown/magnus4.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
 
 #include "strapdown/convergence.hpp"
+#include "strapdown/stamp_patterns.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia;
@@ -80,4 +82,38 @@ TEST_CASE("Magnus4 takes intervals as regular only where the weights agree to a 
       CHECK_THAT(chosen.moment[j], WithinAbs(exact.moment[j], 1e-6 * h));
     }
   }
+}
+
+TEMPLATE_TEST_CASE("Magnus4 is off by at most twice as much as Midpoint, whatever the stamps", "", float, double) {
+  testing::check_never_amplifies<Magnus4, Midpoint, TestType>();
+}
+
+TEST_CASE("Magnus4's weights are within an interval of the trapezoid's, whatever the intervals") {
+  for (const double before : {0.0, 1e-9, 0.1, 0.3, 1.0, 1e9}) {
+    for (const double after : {0.0, 1e-9, 0.1, 0.3, 1.0, 1e9}) {
+      for (std::size_t from = 0; from < 3; ++from) {
+        const std::array<double, 4> times{-before, 0, from == 1 ? 1 : after, (from == 1 ? 1 : after) + after};
+        const double h = times[from + 1] - times[from];
+        if (!(h > 0)) continue;
+        const auto w = Magnus4::general_weights<double>(times, from, h);
+        double difference = 0;
+        for (std::size_t j = 0; j < 4; ++j) {
+          difference += std::abs(w.mean[j] - (j == from || j == from + 1 ? h / 2 : 0));
+        }
+        CAPTURE(before, after, from);
+        CHECK(difference <= h * (1 + 1e-12));
+      }
+    }
+  }
+}
+
+TEST_CASE("Two samples are integrated by Magnus4 with a line between them, three with a parabola") {
+  using Sample = TimedImuSample<double, double>;
+  const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 0};
+  const auto at = [](double t) { return Sample{t, {0, 0, 0}, {1 + t * (2 + 3 * t), 0, 0}}; };
+  const auto velocity = [&](const std::vector<Sample>& samples) {
+    return integrate<Magnus4>(initial, samples, Eigen::Vector3d::Zero()).back().v_WB.x();
+  };
+  CHECK_THAT(velocity({at(0), at(0.5)}), WithinAbs((at(0).accel.x() + at(0.5).accel.x()) / 4, 1e-15));
+  CHECK_THAT(velocity({at(0), at(0.5), at(1.25)}), WithinAbs(1.25 + 1.25 * 1.25 + 1.25 * 1.25 * 1.25, 1e-14));
 }

@@ -45,15 +45,15 @@ inline constexpr std::array<std::string_view, 17> euroc_groundtruth_columns{"tim
                                                                             "b_a_RS_S_y [m s^-2]",
                                                                             "b_a_RS_S_z [m s^-2]"};
 
-inline constexpr TableLayout euroc_groundtruth_layout{.format = "EuRoC ground truth",
-                                                      .columns = euroc_groundtruth_columns,
-                                                      .fewest_columns = euroc_groundtruth_columns.size(),
-                                                      .stamp = TableLayout::Stamp::nanoseconds,
-                                                      .separator = ',',
-                                                      .header = true};
+inline const TableLayout euroc_groundtruth_layout{.format = "EuRoC ground truth",
+                                                  .columns = euroc_groundtruth_columns,
+                                                  .fewest_columns = euroc_groundtruth_columns.size(),
+                                                  .stamp = TableLayout::Stamp::nanoseconds,
+                                                  .separator = ',',
+                                                  .header = true};
 
 /// The same, also without velocity and biases.
-inline constexpr TableLayout euroc_poses_layout = [] {
+inline const TableLayout euroc_poses_layout = [] {
   TableLayout layout = euroc_groundtruth_layout;
   layout.fewest_columns = 8;
   return layout;

@@ -27,12 +27,12 @@ inline constexpr std::array<std::string_view, 7> euroc_imu_columns{
     "timestamp [ns]",    "w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]",
     "a_RS_S_x [m s^-2]", "a_RS_S_y [m s^-2]",   "a_RS_S_z [m s^-2]"};
 
-inline constexpr TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
-                                              .columns = euroc_imu_columns,
-                                              .fewest_columns = euroc_imu_columns.size(),
-                                              .stamp = TableLayout::Stamp::nanoseconds,
-                                              .separator = ',',
-                                              .header = true};
+inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
+                                          .columns = euroc_imu_columns,
+                                          .fewest_columns = euroc_imu_columns.size(),
+                                          .stamp = TableLayout::Stamp::nanoseconds,
+                                          .separator = ',',
+                                          .header = true};
 
 /// The samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with file:line
 /// for the first thing wrong (StampedTable).

@@ -11,6 +11,8 @@
 namespace splinertia {
 
 /// How a format lays out a table whose rows are a time and some numbers. The first column is the time.
+/// Objects are `const`, not `constexpr`: g++ finds std::span not to be constant where its debug mode checks the pointer
+/// under -fsanitize=undefined.
 struct TableLayout {
   enum class Stamp { seconds, nanoseconds };
 

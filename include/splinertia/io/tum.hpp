@@ -28,12 +28,12 @@ concept StampedPose = WithTime<T> && requires(const T& stamped) {
 inline constexpr std::array<std::string_view, 8> tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
 /// Blanks between the columns, as the format says; no header, because not every reader skips it.
-inline constexpr TableLayout tum_layout{.format = "a TUM trajectory",
-                                        .columns = tum_columns,
-                                        .fewest_columns = tum_columns.size(),
-                                        .stamp = TableLayout::Stamp::seconds,
-                                        .separator = ' ',
-                                        .header = false};
+inline const TableLayout tum_layout{.format = "a TUM trajectory",
+                                    .columns = tum_columns,
+                                    .fewest_columns = tum_columns.size(),
+                                    .stamp = TableLayout::Stamp::seconds,
+                                    .separator = ' ',
+                                    .header = false};
 
 /// The poses T_WB [m] of a TUM file. Times are read exactly, to the nearest nanosecond; quaternions become unit and of
 /// continuous sign (QuaternionTrack). Throws std::runtime_error with file:line for the first thing wrong

@@ -34,7 +34,7 @@ template <typename Curve>
   if constexpr (requires(const K& knots) { knots.interval; }) {
     K knots = even_knots<K>(poses.front().time, poses.back().time, n - 1, Curve::order);
     for (std::size_t i = 0; i < n; ++i) {
-      const double off = to_seconds<double>(poses[i].time - knots.knot(i, Curve::order));
+      const double off = to_seconds<double>(time_between(knots.knot(i, Curve::order), poses[i].time));
       if (!(std::abs(off) <= 0.25 * to_seconds<double>(knots.interval))) {
         refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its place ",
                                       to_seconds<double>(knots.interval),

@@ -68,7 +68,8 @@ template <typename K>
       return knots;
     } else {
       const auto count = static_cast<typename Time::rep>(segments);
-      return {first, (last - first + Time(count - 1)) / count};
+      const Time span = last - first;
+      return {first, span / count + Time(span % count > Time::zero() ? 1 : 0)};
     }
   } else {
     // As many knots at the ends as the order: there the curve ends at its first and its last control point.
@@ -108,9 +109,9 @@ template <typename Curve>
   std::size_t control_points;
   if constexpr (requires { knots.interval; }) {
     knots.check(k, Curve::order);
-    control_points =
-        segments_of((std::max)(0.0, to_seconds<double>(last - knots.start)), to_seconds<double>(knots.interval)) + k -
-        1;
+    control_points = segments_of((std::max)(0.0, to_seconds<double>(time_between(knots.start, last))),
+                                 to_seconds<double>(knots.interval)) +
+                     k - 1;
     knots.check(control_points, Curve::order);
     const auto end = knots.domain(control_points, Curve::order).end;
     for (auto pose = poses.rbegin(); pose != poses.rend() && pose->time > end; ++pose) pose->time = end;

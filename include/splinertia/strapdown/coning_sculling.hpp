@@ -3,7 +3,6 @@
 /// interval; what that does to the sums is called coning (attitude), sculling (velocity) and scrolling (position).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -46,15 +45,15 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
     const Scalar step = from == 2 ? h[2] : h[from] + h[from + 1];
     // The sum of the distances of the middle of the step from the ends of two increments.
     const Scalar offset = from == 2 ? h[1] + h[2] / Scalar(2) : (h[from + 1] - h[from]) / Scalar(2);
-    // Of the increments that a difference is taken of, the longest may be four times the shortest.
-    const auto alike = [&](std::size_t first, std::size_t end) {
-      const auto [shortest, longest] = std::minmax_element(h.data() + first, h.data() + end);
-      return *longest <= Scalar(4) * *shortest;
+    // A difference is taken of intervals within a factor of four of each other.
+    const auto alike = [&](std::size_t i, std::size_t j) {
+      return h[i] <= Scalar(4) * h[j] && h[j] <= Scalar(4) * h[i];
     };
-    const bool sloped = alike(from == 2 ? 1 : from, from == 0 ? 2 : 3);
+    const std::size_t pair = from == 0 ? 0 : 1;
+    const bool sloped = alike(pair, pair + 1);
     using std::abs;
     // Without curvature where what is left out is as little of that term.
-    const bool curved = full && abs(offset) > step * Scalar(1e-6F) && alike(0, 3);
+    const bool curved = full && abs(offset) > step * Scalar(1e-6F) && sloped && alike(0, 1) && alike(0, 2) && alike(1, 2);
     // The slope A' there makes the moment step² A'/12; in divided differences of F = ∫A it is 2 F[0, 1, 2] + 2 offset
     // F[0, 1, 2, 3].
     const auto moment = [&](auto of) -> Vector3<Scalar> {
@@ -66,7 +65,7 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
         const Scalar scale = Scalar(1) / (h[i] + h[i + 1]);
         return window[i + 1].*of * Scalar(scale / h[i + 1]) - window[i].*of * Scalar(scale / h[i]);
       };
-      Vector3<Scalar> slope = difference(from == 0 ? 0 : 1);
+      Vector3<Scalar> slope = difference(pair);
       if (curved) slope += (difference(1) - difference(0)) * (offset / (h[0] + h[1] + h[2]));
       return slope * (step * step / Scalar(6));
     };

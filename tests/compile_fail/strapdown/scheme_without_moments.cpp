@@ -1,0 +1,14 @@
+// expect: IntegrationScheme
+// SPDX-License-Identifier: MIT
+#include <splinertia/strapdown/coning_sculling.hpp>
+#include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/preintegrator.hpp>
+#include <vector>
+
+using namespace splinertia;
+
+struct Nothing : PointScheme<2> {};
+void f(const std::vector<TimedImuSample<double, double>>& samples) {
+  (void)integrate<Nothing>(NavState<double>{}, samples);
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// An estimator's loop for a small processor.
+#include <splinertia/strapdown/integrator.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+
+using namespace splinertia;
+
+void push(Integrator<Midpoint, double>& integrator, const TimedImuSample<double, double>& sample) {
+  integrator.push(sample);
+}
+
+Integrator<Midpoint, double> begin(const NavState<double>& state) { return Integrator<Midpoint, double>(state); }
