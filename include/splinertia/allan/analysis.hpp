@@ -82,7 +82,7 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
                                        const DifferenceSpectrum<Scalar>& spectrum,
                                        const IdentifyOptions<Scalar>& options = {}) {
   Analysis<Scalar> result{.curve = curve<OverlappingAllanDeviation>(signal),
-                          .noise = Identification<Scalar>({&spectrum, 1}, options).estimates()};
+                          .noise = Identification<Scalar>({spectrum}, options).estimates()};
   StepOptions steps{};
   if (const auto resolution = find_resolution(samples)) {
     result.resolution = static_cast<Scalar>(*resolution);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -151,15 +153,27 @@ class Simulation {
   }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
 
-  /// When sample i is taken: counted from the start, so that no rounding adds up.
+  /// When sample i is taken: counted from the start, so that no rounding adds up. Requires i < size().
   [[nodiscard]] Time time(std::size_t i) const {
-    const Time t = after(start_, static_cast<double>(static_cast<std::ptrdiff_t>(i)) / rate_);
+    Time t = start_;
+    if constexpr (std::floating_point<Time>) {
+      t += static_cast<Time>(elapsed(i));
+    } else {  // as after(), less its checks, which count_samples() has made
+      using Ticks = std::chrono::duration<double, typename Time::period>;
+      t +=
+          Time(static_cast<typename Time::rep>(std::llround(Ticks(std::chrono::duration<double>(elapsed(i))).count())));
+    }
     return t < end_ ? t : end_;
   }
 
  private:
   // Not inlined, so that loops over the samples have the code that makes one only once.
   [[nodiscard, gnu::noinline]] Iterator first_sample() const { return Iterator(*this); }
+
+  // From the start to sample i, s.
+  [[nodiscard]] double elapsed(std::size_t i) const {
+    return static_cast<double>(static_cast<std::ptrdiff_t>(i)) / rate_;
+  }
 
   // Both ends, where they fall on a sample.
   [[nodiscard]] std::size_t count_samples() const {
@@ -176,6 +190,7 @@ class Simulation {
       refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected samples at least ", resolution(),
                                     " s apart, which the clock can tell from each other");
     }
+    static_cast<void>(after(start_, elapsed(size - 1)));  // throws unless Time holds it, and so all before it
     return size;
   }
 
