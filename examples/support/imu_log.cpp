@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <splinertia/finite.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/stamp_unit.hpp>
 #include <splinertia/io/text_file.hpp>
@@ -130,6 +131,10 @@ Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
                                      "samples of packets with a stamp "
                                      "each; leave the times out with - for t in --columns, and give ",
                                      table.rate_option));
+  }
+  if (table.rate && !is_finite(static_cast<double>(kept) / *table.rate)) {
+    throw std::invalid_argument(message(table.rate_option, ": rate is ", *table.rate, " Hz, at which ", kept,
+                                        " samples take longer than a number can say"));
   }
   stream.left_out = leave_out(stream.columns, options, table.rate);
   if (stream.columns.times.empty()) return stream;

@@ -2,9 +2,13 @@
 // The reading half of imu_noise.hpp.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <splinertia/finite.hpp>
+#include <splinertia/imu/misalignment.hpp>
 #include <splinertia/imu/misalignment_conventions.hpp>
 #include <splinertia/imu/noise_densities.hpp>
 #include <splinertia/message.hpp>
+#include <stdexcept>
 
 #include "support/imu_noise.hpp"
 #include "support/yaml_reader.hpp"
@@ -67,12 +71,23 @@ double update_rate(const YamlReader& file, Estimator estimator, std::optional<do
   return ImuNoise{}.update_rate;
 }
 
+/// Does something with what a place of the file says. Where that is refused, the message names the place.
+void use(const YamlReader& place, const auto& work) {
+  try {
+    work();
+  } catch (const std::invalid_argument& error) {
+    place.fail(error.what());
+  }
+}
+
 void read_kalibr_intrinsics(const YamlReader& file, ImuNoise& noise) {
-  const YamlReader gyro = file["gyroscopes"];
+  const YamlReader gyro = file["gyroscopes"], accel = file["accelerometers"];
   const Eigen::Matrix3d rotation = gyro["C_gyro_i"].matrix();
-  noise.gyro_misalignment = splinertia::misalignment_from_kalibr<double>(gyro["M"].matrix(), rotation).matrix;
+  use(gyro["M"], [&] {
+    noise.gyro_misalignment = splinertia::misalignment_from_kalibr<double>(gyro["M"].matrix(), rotation).matrix;
+  });
   noise.g_sensitivity = gyro["A"].matrix() * rotation;
-  noise.accel_misalignment = file["accelerometers"]["M"].matrix();
+  use(accel["M"], [&] { noise.accel_misalignment = splinertia::Misalignment<double>(accel["M"].matrix()).matrix; });
 }
 
 /// OpenVINS: the gyroscope reads Tw·R_IMUtoGYRO·ω + Tg·a, the accelerometer Ta·R_IMUtoACC·a.
@@ -125,9 +140,16 @@ ImuNoise read_imu_noise(const std::filesystem::path& path, std::optional<double>
                                          &noise.accel_random_walk};
   for (std::size_t i = 0; i < densities.size(); ++i) *densities[i] = positive(file, format.keys[i]);
   noise.update_rate = update_rate(file, format.estimator, rate);
-  for (double* density : densities) *density = density_of(format.estimator, *density, noise.update_rate);
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    double& density = *densities[i];
+    density = density_of(format.estimator, density, noise.update_rate);
+    if (!(density > 0) || !splinertia::is_finite(density)) {
+      file[format.keys[i]].fail(message(format.keys[i], " is a density of ", density, ", expected a number > 0"));
+    }
+  }
   const char* topic = format.estimator == Estimator::vins ? "imu_topic" : "rostopic";
   if (file.has(topic)) noise.topic = file[topic].text();
   if (format.estimator == Estimator::kalibr) read_intrinsics(file, noise);
+  use(file, [&] { (void)errors_of(noise); });
   return noise;
 }

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/yaml_text.hpp"
+
 using splinertia::message;
 
 namespace {
@@ -62,7 +64,7 @@ YamlReader YamlReader::open(const std::filesystem::path& path) {
   try {
     return YamlReader(path, YAML::Load(file));
   } catch (const YAML::ParserException& error) {
-    throw std::runtime_error(message(path.string(), ':', error.mark.line + 1, ": no YAML: ", error.msg));
+    throw std::runtime_error(message(path.string(), ':', error.mark.line + 1, ": no YAML: ", escaped_line(error.msg)));
   }
 }
 
@@ -71,8 +73,9 @@ YamlReader::YamlReader(std::filesystem::path path, const YAML::Node& node)
 
 void YamlReader::fail(const std::string& what) const {
   const YAML::Mark mark = node_->Mark();
-  throw std::runtime_error(mark.is_null() ? message(path_.string(), ": ", what)
-                                          : message(path_.string(), ':', mark.line + 1, ": ", what));
+  const std::string line = escaped_line(what);  // a text of the file may have anything in it
+  throw std::runtime_error(mark.is_null() ? message(path_.string(), ": ", line)
+                                          : message(path_.string(), ':', mark.line + 1, ": ", line));
 }
 
 bool YamlReader::is_map() const { return node_->IsMap(); }

@@ -25,8 +25,15 @@ inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = 
 template <typename T>
 concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
 
+/// A time, or a difference of two: that of the ends of an integer Time takes its unsigned type.
+template <typename T>
+inline constexpr bool is_time_difference = TimePoint<T>;
+template <std::unsigned_integral Rep, typename Period>
+inline constexpr bool is_time_difference<std::chrono::duration<Rep, Period>> = true;
+
 /// A time difference in seconds. Differences are taken in the type of time, so that epoch stamps lose nothing.
-template <typename Scalar, TimePoint Time>
+template <typename Scalar, typename Time>
+  requires is_time_difference<Time>
 [[nodiscard]] constexpr Scalar to_seconds(Time difference) {
   if constexpr (std::floating_point<Time>) {
     return static_cast<Scalar>(difference);
