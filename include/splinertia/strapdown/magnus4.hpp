@@ -15,9 +15,9 @@ namespace splinertia {
 /// Intervals that are too unequal: the weights of φ and ν never differ from the trapezoid's by more than h in sum, so
 /// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples
 /// and the nearest one on the side of the longer interval takes its place, and where that would, the straight line.
-/// Between inner samples the cubic stays while no neighbouring interval is below 0.27 of the step's, and the parabola
-/// while one of them is a third of it; so intervals within a factor of three of each other keep order 4. A run of two
-/// samples is integrated with the line, one of three with the parabola.
+/// Between inner samples the cubic stays while no neighbouring interval is below a third of the step's (0.27 of it
+/// where both are equal), so intervals within a factor of three of each other keep order 4. A run of two samples is
+/// integrated with the line, one of three with the parabola.
 ///
 /// What limits it: samples must be of a signal that is smooth to third order. Samples of a cubic spline are not (their
 /// third derivative jumps at knots): there, and with noise, it is no better than Midpoint.
@@ -73,19 +73,19 @@ struct Magnus4 : PointScheme<4, 1, 1> {
   [[nodiscard]] static Weights<Scalar> general_weights(const std::array<Scalar, 4>& times, std::size_t from,
                                                        const Scalar& h) {
     const auto s = detail::centred(times, from, h);
-    // ∫sⁿ and ∫s·sⁿ over s from −1/2 to 1/2.
-    const Scalar zero(0), one(1), twelfth = one / Scalar(12);
-    const detail::Functional<Scalar> mean{one, zero, twelfth, zero}, moment{zero, twelfth, zero, one / Scalar(80)};
+    // ∫p and ∫s·p over s from −1/2 to 1/2, of p = c₀ + c₁s + c₂s² + c₃s³.
+    const Scalar a = h / Scalar(12), b = h / Scalar(80);
+    const auto integrals = [&](const std::array<Scalar, 4>& c) {
+      return std::array<Scalar, 2>{c[0] * h + c[2] * a, c[1] * a + c[3] * b};
+    };
+    const auto both = [](const auto& of) { return Weights<Scalar>{of[0], of[1]}; };
+    // Intervals of which stable_weights() would keep the cubic, too.
+    const Scalar mild = Scalar(1) / Scalar(3);
+    if (from == 1 && s[1] - s[0] >= mild && s[3] - s[2] >= mild) [[likely]]
+      return both(detail::lagrange_weights(s, detail::Nodes<4>{0}, integrals));
     const bool before = from == 2 || (from == 1 && s[1] - s[0] > s[3] - s[2]);
-    return detail::with_stable_weights(s, detail::Nodes<2>{from}, detail::Nodes<3>{before ? from - 1 : from}, mean, one,
-                                       [&](auto nodes, const std::array<Scalar, 4>& of_mean) {
-                                         Weights<Scalar> w{of_mean, lagrange_weights(s, nodes, moment)};
-                                         for (std::size_t j = 0; j < 4; ++j) {
-                                           w.mean[j] *= h;
-                                           w.moment[j] *= h;
-                                         }
-                                         return w;
-                                       });
+    return both(
+        detail::stable_weights(s, detail::Nodes<2>{from}, detail::Nodes<3>{before ? from - 1 : from}, integrals, h));
   }
 
  private:

@@ -71,10 +71,10 @@ struct RungeKutta4DoubleStep : PointScheme<4, 2> {
     }
     const Scalar zero(0);
     const std::size_t line = from == 2 || offset > zero ? from : from + 1;
-    const auto w = detail::with_stable_weights(detail::centred(detail::times_from<Scalar>(window, from), from, h),
-                                               detail::Nodes<2>{line}, detail::Nodes<3>{end - 2},
-                                               {Scalar(1), zero, zero, zero}, Scalar(5) / Scalar(2),
-                                               [](auto, const std::array<Scalar, 4>& weights) { return weights; });
+    const auto middle = [](const std::array<Scalar, 4>& c) { return std::array<Scalar, 1>{c[0]}; };
+    const auto s = detail::centred(detail::times_from<Scalar>(window, from), from, h);
+    const auto w =
+        detail::stable_weights(s, detail::Nodes<2>{line}, detail::Nodes<3>{end - 2}, middle, Scalar(5) / Scalar(2))[0];
     const Vector3<Scalar> gyro =
         w[0] * window[0].gyro + w[1] * window[1].gyro + w[2] * window[2].gyro + w[3] * window[3].gyro;
     const Vector3<Scalar> accel =

@@ -10,12 +10,9 @@
 #include <cmath>
 #include <cstddef>
 #include <splinertia/strapdown/scheme.hpp>
+#include <tuple>
 
 namespace splinertia::detail {
-
-/// What is wanted of a polynomial (an integral, a moment, a value), as that of 1, s, s² and s³.
-template <typename Scalar>
-using Functional = std::array<Scalar, 4>;
 
 /// Which of the four samples a polynomial goes through: `Count` of them from `first` on.
 template <std::size_t Count>
@@ -39,51 +36,60 @@ template <typename Scalar>
   return times;
 }
 
-/// The weights w with Σ w_j f(s_j) = `functional` of the polynomial through the samples of `nodes` (Lagrange).
-template <typename Scalar, std::size_t Count>
-[[nodiscard]] std::array<Scalar, 4> lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
-                                                     const Functional<Scalar>& functional) {
-  std::array<Scalar, 4> weights;
-  weights.fill(Scalar(0));
+/// Weights for each of several things that are wanted of a polynomial: an integral, a moment, a value.
+template <typename Scalar, std::size_t Wanted>
+using StencilWeights = std::array<std::array<Scalar, 4>, Wanted>;
+
+/// The weights w with Σ w_j f(s_j) = functional(c) for the polynomial c₀ + c₁s + c₂s² + c₃s³ through the samples of
+/// `nodes` (Lagrange). The functional is linear in c and returns an array of what is wanted.
+template <std::size_t Count, typename Scalar>
+[[nodiscard, gnu::always_inline]] inline auto lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
+                                                               const auto& functional) {
+  using Coefficients = std::array<Scalar, 4>;
+  constexpr std::size_t wanted = std::tuple_size_v<decltype(functional(Coefficients{}))>;
+  const Scalar zero(0), one(1);
+  StencilWeights<Scalar, wanted> weights;
+  for (auto& of_one : weights) of_one = {zero, zero, zero, zero};
   const auto at = [&](std::size_t j) -> const Scalar& { return s[nodes.first + j % Count]; };
   for (std::size_t j = 0; j < Count; ++j) {
     const Scalar& own = at(j);
     const Scalar& a = at(j + 1);
-    Scalar value = functional[1] - a * functional[0], scale = own - a;
-    if constexpr (Count > 2) {
+    Coefficients c;
+    Scalar scale = own - a;
+    if constexpr (Count == 2) {
+      c = {-a, one, zero, zero};
+    } else if constexpr (Count == 3) {
       const Scalar& b = at(j + 2);
-      value = functional[2] - (a + b) * functional[1] + a * b * functional[0];
       scale *= own - b;
-      if constexpr (Count > 3) {
-        const Scalar& c = at(j + 3);
-        value = functional[3] - (a + b + c) * functional[2] + (a * b + b * c + c * a) * functional[1] -
-                a * b * c * functional[0];
-        scale *= own - c;
-      }
+      c = {a * b, -(a + b), one, zero};
+    } else {
+      const Scalar &b = at(j + 2), &d = at(j + 3);
+      scale *= (own - b) * (own - d);
+      c = {-(a * b * d), a * b + b * d + d * a, -(a + b + d), one};
     }
-    weights[nodes.first + j] = value / scale;
+    const auto values = functional(c);
+    for (std::size_t k = 0; k < wanted; ++k) weights[k][nodes.first + j] = values[k] / scale;
   }
   return weights;
 }
 
-/// Calls take(nodes, weights) with the polynomial of highest degree whose weights differ from those of the line by at
-/// most `limit` in sum, and returns what that returns: the cubic, the parabola on `parabola`, or the line on `line`.
+/// Those of the polynomial of highest degree whose weights for what is wanted first differ from the line's by at most
+/// `limit` in sum: the cubic, the parabola on `parabola`, or the line on `line`.
 template <typename Scalar>
-[[nodiscard]] auto with_stable_weights(const std::array<Scalar, 4>& s, Nodes<2> line, Nodes<3> parabola,
-                                       const Functional<Scalar>& functional, const Scalar& limit, const auto& take) {
+[[nodiscard]] auto stable_weights(const std::array<Scalar, 4>& s, Nodes<2> line, Nodes<3> parabola,
+                                  const auto& functional, const Scalar& limit) {
   const auto of_line = lagrange_weights(s, line, functional);
-  const auto stable = [&](const std::array<Scalar, 4>& weights) {
+  const auto stable = [&](const auto& weights) {
     using std::abs;
     Scalar difference(0);
-    for (std::size_t j = 0; j < 4; ++j) difference += abs(weights[j] - of_line[j]);
+    for (std::size_t j = 0; j < 4; ++j) difference += abs(weights[0][j] - of_line[0][j]);
     return difference <= limit;  // not for samples at the same time, where it is NaN
   };
   const auto of_cubic = lagrange_weights(s, Nodes<4>{0}, functional);
   if (stable(of_cubic)) [[likely]]
-    return take(Nodes<4>{0}, of_cubic);
+    return of_cubic;
   const auto of_parabola = lagrange_weights(s, parabola, functional);
-  if (stable(of_parabola)) return take(parabola, of_parabola);
-  return take(line, of_line);
+  return stable(of_parabola) ? of_parabola : of_line;
 }
 
 }  // namespace splinertia::detail
