@@ -23,6 +23,7 @@
 #include <splinertia/refuse.hpp>
 #include <splinertia/require.hpp>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -141,7 +142,7 @@ class StreamingAllanDeviation {
                                     "): a sensor that is stuck, or no noise at all");
     }
     const Scalar mean = *offset_ + sum_.value() / static_cast<Scalar>(samples_);
-    Curve<Scalar> result{Deviation::name, rate_, samples_, mean, confidence, {}};
+    Curve<Scalar> result{std::string(Deviation::name), rate_, samples_, mean, confidence, {}};
     int identified = 0;
     for (std::size_t octave = 0; octave < octaves(); ++octave) {
       const std::int64_t m = std::int64_t{1} << octave, stride = std::max<std::int64_t>(1, m / window);

@@ -82,7 +82,7 @@ class SampleStamps {
       if (interval > least) unquestioned_ = Time(0);
       return;
     }
-    const Scalar mean = to_seconds<Scalar>(time_between(origin_, last_)) / static_cast<Scalar>(intervals);
+    const Scalar mean = to_seconds<Scalar>(time_between(origin_, last_)) / Scalar(static_cast<double>(intervals));
     if (intervals == 1 && mean > least && mean > many * interval) {  // then the first one was the gap
       if (gaps_.policy == GapPolicy::refuse) {
         refuse<std::invalid_argument>("integrate: sample ", index - 1, " at ", printable(last_), " comes ", mean,
