@@ -214,7 +214,7 @@ between("accelerometer bias" 4e-3 ${accel_bias})
 # A name adds no line to the report.
 file(COPY_FILE "${poses}" "${out}/a\nname.tum")
 fit("a.nname.tum: 4001 poses" "${out}/a\nname.tum" --knot-interval 0.05)
-expect_header(report.txt "^[^\n]*a.nname.tum: 4001 poses")
+expect_header(report.txt "\n[^\n]*a.nname.tum: 4001 poses")
 
 # Python, in place of which a script stands.
 function(write_python text)
