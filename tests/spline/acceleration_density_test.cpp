@@ -124,7 +124,8 @@ TEST_CASE("The strongest of both sides and of the way across counts") {
   const Number none(0);
   const Anchors anchors{{5, 4, 3, 2, 1}, {7, 8, 9, 10, 11}};
   const auto density = [&](const auto& f) {
-    return (*AccelerationDensity<Line>(Line{[&](double t) { return Number(f(t)); }}, none).around(anchors))[0];
+    const Line line{[&](double t) { return Number(f(t)); }};
+    return (*AccelerationDensity<Line>(line, none).around(anchors))[0];
   };
   // Steady speed is none, whichever.
   CHECK(density([](double t) { return 3 - 2 * t; }) < 1e-25);
@@ -166,8 +167,8 @@ TEST_CASE("Too few anchors show nothing") {
 TEST_CASE("At the scale of near anchors, with the acceleration that crosses the span") {
   const Anchors near{{3.9, 3.8, 3.7, 3.6}, {6.1, 6.2, 6.3, 6.4}};
   const auto density = [&](const auto& f, double noise = 0) {
-    return (
-        *AccelerationDensity<Line>(Line{[&](double t) { return Number(f(t)); }}, Number(noise)).at_scale_of(near))[0];
+    const Line line{[&](double t) { return Number(f(t)); }};
+    return (*AccelerationDensity<Line>(line, Number(noise)).at_scale_of(near))[0];
   };
   CHECK(density([](double t) { return 3 - 2 * t; }) < 1e-20);
   // Steady a: 3/2 a² h on the sides; the slopes are those of the middles of their steps, 0.05 s off over 2.2 s.
