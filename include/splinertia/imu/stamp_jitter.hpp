@@ -51,8 +51,9 @@ struct StampJitter {
       state.offset = standard_deviation * n;
     } else {
       const Step& step = state.step(stamp.interval, [&] { return make_step(stamp.interval); });
-      const Scalar change = step.deviation * n - step.forget * state.offset;
-      if (-step.most <= change && change <= step.most) state.offset += change;
+      const Scalar proposal = state.offset - step.forget * state.offset + step.deviation * n;
+      const Scalar change = proposal - state.offset;
+      if (-step.most <= change && change <= step.most) state.offset = proposal;
     }
     stamp.offset += state.offset;
   }
