@@ -394,10 +394,11 @@ inline PlainState advanced_in_turning_world(const PlainState& s, const PlainStep
           time};
 }
 
-/// Checks what the library checks of stamps.
+/// Checks what the library checks of stamps and readings.
 inline void must_follow(const Reading& b, const Reading& a, double longest) {
   if (!(b.time > a.time) || !std::isfinite(b.time)) throw std::invalid_argument("stamps do not increase");
   if (b.time - a.time > longest) throw std::invalid_argument("readings are missing");
+  if (!std::isfinite((b.gyro + b.accel).sum())) throw std::invalid_argument("a reading is not finite");
 }
 
 using PlainFlight = Flight<PlainState>;

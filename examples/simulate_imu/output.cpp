@@ -11,9 +11,9 @@ using std::chrono::nanoseconds;
 Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& holes)
     : folder_(o.output, "simulate_imu"),
       imu_csv_(folder_.path("imu.csv")),
+      imu_npy_(o.npy ? std::make_optional<NpyImuWriter>(folder_.path("imu.npy")) : std::nullopt),
       groundtruth_csv_(folder_.path("groundtruth.csv")),
       poses_tum_(folder_.path("poses.tum")) {
-  if (o.npy) imu_npy_.emplace(folder_.path("imu.npy"));
   if (const auto noise = imu_noise_of(sensor.errors, sensor.rate)) {
     imu_yaml_.emplace(folder_.path("imu.yaml")).append(imu_noise_text(Estimator::kalibr, *noise));
   }

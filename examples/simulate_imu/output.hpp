@@ -35,8 +35,8 @@ class Output {
  private:
   OutputFolder folder_;
   splinertia::EurocImuWriter imu_csv_;
+  std::optional<splinertia::NpyImuWriter> imu_npy_;
   splinertia::EurocGroundtruthWriter groundtruth_csv_;
   splinertia::TumWriter poses_tum_;
-  std::optional<splinertia::NpyImuWriter> imu_npy_;
   std::optional<splinertia::AtomicFile> imu_yaml_, gaps_csv_, table_csv_;
 };
