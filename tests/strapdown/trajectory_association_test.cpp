@@ -82,9 +82,10 @@ TEST_CASE("Stamps further apart than integers count are not near") {
   const auto at = [](const std::vector<nanoseconds>& times) { return poses_at<SO3xR3<double>, nanoseconds>(times); };
   CHECK(indices(associate(at({low, high}), at({high - few}))) == Indices{{1, 0}});
   CHECK(indices(associate(at({low + few}), at({low, nanoseconds{0}, high}))) == Indices{{0, 0}});
-  CHECK(error_of([&] { (void)associate(at({low}), at({high})); }) ==
-        "associate: no pose of the estimate (9223372036854775807 to 9223372036854775807) is within 0.01 s of one of the "
-        "reference (-9223372036854775808 to -9223372036854775808)");
+  CHECK(
+      error_of([&] { (void)associate(at({low}), at({high})); }) ==
+      "associate: no pose of the estimate (9223372036854775807 to 9223372036854775807) is within 0.01 s of one of the "
+      "reference (-9223372036854775808 to -9223372036854775808)");
 }
 
 TEST_CASE("What cannot be associated is refused") {
