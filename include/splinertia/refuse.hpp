@@ -2,6 +2,8 @@
 /// How the library says no: it throws; where exceptions are turned off (-fno-exceptions), it calls SPLINERTIA_REFUSE.
 #pragma once
 
+#include <splinertia/cpp20.hpp>
+
 #include <stdexcept>
 
 #ifdef __cpp_exceptions
@@ -23,16 +25,7 @@
 
 namespace splinertia {
 
-#ifdef __cpp_exceptions
-
-/// Throws an Error whose text is made of the parts.
-template <typename Error, typename... Parts>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse(const Parts&... parts) {
-  throw Error(message(parts...));
-}
-
-#else
-
+#ifndef __cpp_exceptions
 namespace detail {
 
 /// Appends one part of a message to text[used], as far as there is room: no stream, no heap.
@@ -58,16 +51,20 @@ void append_part(char* text, std::size_t size, std::size_t& used, const Part& pa
 }
 
 }  // namespace detail
+#endif
 
+/// Throws an Error whose text is made of the parts; without exceptions, hands the text to SPLINERTIA_REFUSE.
 template <typename Error, typename... Parts>
 [[noreturn, gnu::cold, gnu::noinline]] void refuse(const Parts&... parts) {
+#ifdef __cpp_exceptions
+  throw Error(message(parts...));
+#else
   char text[256] = "";
   std::size_t used = 0;
   (detail::append_part(text, sizeof text, used, parts), ...);
   SPLINERTIA_REFUSE(text);
   __builtin_unreachable();
-}
-
 #endif
+}
 
 }  // namespace splinertia

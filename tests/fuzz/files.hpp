@@ -7,46 +7,31 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "fuzz/fuzz.hpp"
+#include "io/temporary_directory.hpp"
 
 namespace splinertia::fuzz {
 
-/// A folder of this process, in memory where the system has that. Removed at its end, unless that is a crash.
-class Folder {
- public:
-  Folder() {
+/// A folder of this process, in memory where the system has that.
+[[nodiscard]] inline const test::TemporaryDirectory& folder() {
+  static const test::TemporaryDirectory folder([] {
     std::error_code error;
     const std::filesystem::path memory = "/dev/shm";
     const bool usable = std::filesystem::is_directory(memory, error) && ::access(memory.c_str(), W_OK) == 0;
-    path_ = (usable ? memory : std::filesystem::temp_directory_path()) / message("splinertia_fuzz_", ::getpid());
-    std::filesystem::create_directories(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  [[nodiscard]] static const std::filesystem::path& path() {
-    static const Folder folder;
-    return folder.path_;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+    return usable ? memory : std::filesystem::temp_directory_path();
+  }());
+  return folder;
+}
 
 /// A file with contents that change, for a reader. Overwritten in place: five times as fast as making one each time.
 class InputBytes {
  public:
-  explicit InputBytes(const char* name) : path_((Folder::path() / name).string()) {
+  explicit InputBytes(const char* name) : path_((folder() / name).string()) {
     file_ = ::open(path_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     if (file_ < 0) throw std::runtime_error(path_ + ": cannot create");
   }
@@ -69,6 +54,6 @@ class InputBytes {
 };
 
 /// The path of a file to write.
-[[nodiscard]] inline std::string output_path() { return (Folder::path() / "output").string(); }
+[[nodiscard]] inline std::string output_path() { return (folder() / "output").string(); }
 
 }  // namespace splinertia::fuzz

@@ -11,11 +11,11 @@
 
 namespace splinertia::test {
 
-/// An empty folder, removed with all that is in it.
+/// An empty folder, removed with all that is in it, unless the program crashes.
 class TemporaryDirectory {
  public:
-  TemporaryDirectory()
-      : path_(std::filesystem::temp_directory_path() / ("splinertia-test-" + std::to_string(std::random_device{}()))) {
+  explicit TemporaryDirectory(const std::filesystem::path& parent = std::filesystem::temp_directory_path())
+      : path_(parent / ("splinertia-test-" + std::to_string(std::random_device{}()))) {
     std::filesystem::create_directory(path_);
   }
   TemporaryDirectory(const TemporaryDirectory&) = delete;

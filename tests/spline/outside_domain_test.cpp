@@ -1,5 +1,7 @@
-#define NDEBUG  // With assertions on, a time outside the domain ends the program (outside_domain_assert_test.cpp).
 // SPDX-License-Identifier: MIT
+// With assertions on, a time outside the domain ends the program (outside_domain_assert_test.cpp).
+#undef NDEBUG
+#define NDEBUG
 #include <chrono>
 #include <cmath>
 #include <limits>
