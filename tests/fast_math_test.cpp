@@ -14,6 +14,8 @@
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
+#include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
 #include <stdexcept>
 #include <vector>
@@ -69,6 +71,20 @@ TEST_CASE("Input that is not finite is refused") {
     CHECK_THROWS_AS(WhiteNoise<double>{x}, std::invalid_argument);
     CHECK_THROWS_AS(simulate(Circle<double>{}, Imu{}, {.rate = x, .start = 0, .end = 1}), std::invalid_argument);
     CHECK_THROWS_AS(simulate(Circle<double>{}, Imu{}, {.rate = 1, .start = 0, .end = x}), std::invalid_argument);
+
+    using State = NavState<double>;
+    const State rest{Sophus::SO3d(), {0, 0, 0}, {0, 0, 0}, 0.0};
+    const auto integrate_samples = [](const State& initial, double reading, double time) {
+      std::vector<TimedImuSample<double, double>> samples(4, {0, {0, 0, 0}, {0, 0, 9.8}});
+      for (std::size_t i = 1; i < samples.size(); ++i) samples[i].time = 0.01 * static_cast<double>(i);
+      samples[2].gyro[1] = reading;
+      samples[3].time = time;
+      return integrate<Midpoint>(initial, samples);
+    };
+    CHECK_NOTHROW(integrate_samples(rest, 0, 0.03));
+    CHECK_THROWS_AS(integrate_samples(rest, x, 0.03), std::invalid_argument);
+    CHECK_THROWS_AS(integrate_samples(rest, 0, x), std::invalid_argument);
+    CHECK_THROWS_AS(integrate_samples({Sophus::SO3d(), {0, x, 0}, {0, 0, 0}, 0.0}, 0, 0.03), std::invalid_argument);
 
     const std::vector<Stamped<Pose3, double>> good_poses{{0, pose_at(1)}, {1, pose_at(2)}};
     for (const auto& bad : {Stamped<Pose3, double>{2, pose_at(x)}, Stamped<Pose3, double>{x, pose_at(1)}}) {

@@ -16,6 +16,13 @@
 
 namespace splinertia {
 
+/// Whether this file is compiled with such an option: then comparisons with NaN may come out either way.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+constexpr bool finite_math_only = true;
+#else
+constexpr bool finite_math_only = false;
+#endif
+
 /// Neither infinite nor NaN, by the bits of the exponent. While compiling, only float and double.
 template <std::floating_point T>
 [[nodiscard]] constexpr bool has_finite_bits(const T& x) {
@@ -41,7 +48,9 @@ template <typename T>
   if constexpr (is_integer_duration<T>) {
     return true;
   } else {
-    if constexpr (std::floating_point<T>) {
+    if constexpr (std::floating_point<T> && !finite_math_only) {
+      return __builtin_isfinite(x);  // one comparison
+    } else if constexpr (std::floating_point<T>) {
       if (!std::is_constant_evaluated()) return has_finite_bits(x);
     }
     return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();

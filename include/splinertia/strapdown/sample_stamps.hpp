@@ -29,7 +29,10 @@ class SampleStamps {
   }
 
   /// Whether a stamp is after the last one by an interval that needs no closer look.
-  [[nodiscard]] bool follows(Time time) const { return time > last_ && time_between(last_, time) <= unquestioned_; }
+  [[nodiscard]] bool follows(Time time) const {
+    if (finite_math_only && !is_finite(time)) return false;
+    return time > last_ && time_between(last_, time) <= unquestioned_;
+  }
 
   /// These stamps after the first sample, which is at the start.
   [[nodiscard]] SampleStamps begun() const {
@@ -41,7 +44,7 @@ class SampleStamps {
   /// These stamps before sample number `index` at `time`, after `intervals` of them, with gaps counted. Throws
   /// std::invalid_argument for a stamp that does not follow and a gap that is refused.
   [[nodiscard]] SampleStamps judged(Time time, std::size_t index, std::size_t intervals) const {
-    if (!(time > last_) || !is_finite(time)) {
+    if (!is_finite(time) || !(time > last_)) {
       refuse<std::invalid_argument>("integrate: sample ", index, " is at ", printable(time), ", expected a time after ",
                                     printable(last_));
     }

@@ -97,8 +97,8 @@ class SampleWindow {
       }
     }
     // A sum is finite only where all that is in it is. That of very large numbers may not be: examined() looks again.
-    const Scalar sum = abs((rate + force).sum());
-    if (!(stamps_.follows(time) && sum <= (std::numeric_limits<Scalar>::max)())) [[unlikely]]
+    const Scalar sum = (rate + force).sum();
+    if (!(stamps_.follows(time) && is_finite(sum))) [[unlikely]]
       examine(time, rate, force);
   }
 
