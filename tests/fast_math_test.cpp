@@ -13,10 +13,12 @@
 #include <splinertia/io/tum.hpp>
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
+#include <splinertia/spline/sample_times.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/integrate.hpp>
 #include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/trajectory_association.hpp>
+#include <splinertia/time.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -84,6 +86,12 @@ TEST_CASE("Input that is not finite is refused") {
     CHECK_NOTHROW(integrate_samples(rest, 0, 0.03));
     CHECK_THROWS_AS(integrate_samples(rest, x, 0.03), std::invalid_argument);
     CHECK_THROWS_AS(integrate_samples(rest, 0, x), std::invalid_argument);
+    std::vector<TimedImuSample<double, double>> first(1, {x, {0, 0, 0}, {0, 0, 9.8}});
+    CHECK_THROWS_AS(integrate<Midpoint>(rest, first), std::invalid_argument);
+    CHECK_THROWS_AS(integrate<Midpoint>(State{Sophus::SO3d(), {0, 0, 0}, {0, 0, 0}, x}, first), std::invalid_argument);
+    CHECK_THROWS_AS((Integrator<Midpoint, double>(rest, {0, 0, 0}, {.longest = x})), std::invalid_argument);
+    CHECK_THROWS_AS(to_nanoseconds(x), std::out_of_range);
+    CHECK_THROWS_AS(check_sample_times(SampleTimes<double>{x, 0.1}, 3, 0.0, 1.0), std::out_of_range);
     CHECK_THROWS_AS(integrate_samples({Sophus::SO3d(), {0, x, 0}, {0, 0, 0}, 0.0}, 0, 0.03), std::invalid_argument);
 
     const std::vector<Stamped<Pose3, double>> good_poses{{0, pose_at(1)}, {1, pose_at(2)}};

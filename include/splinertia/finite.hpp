@@ -6,12 +6,12 @@
 #include <splinertia/cpp20.hpp>
 
 #include <bit>
+#include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <splinertia/time.hpp>
 #include <type_traits>
 
 namespace splinertia {
@@ -42,19 +42,21 @@ template <std::floating_point T>
   }
 }
 
-/// Neither infinite nor NaN, for any scalar, also while compiling; integer times are always finite.
+/// Neither infinite nor NaN, for any scalar, also while compiling.
 template <typename T>
 [[nodiscard]] constexpr bool is_finite(const T& x) {
-  if constexpr (is_integer_duration<T>) {
-    return true;
-  } else {
-    if constexpr (std::floating_point<T> && !finite_math_only) {
-      return __builtin_isfinite(x);  // one comparison
-    } else if constexpr (std::floating_point<T>) {
-      if (!std::is_constant_evaluated()) return has_finite_bits(x);
-    }
-    return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
+  if constexpr (std::floating_point<T> && !finite_math_only) {
+    return __builtin_isfinite(x);  // one comparison
+  } else if constexpr (std::floating_point<T>) {
+    if (!std::is_constant_evaluated()) return has_finite_bits(x);
   }
+  return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
+}
+
+/// Integer times always are.
+template <std::integral Ticks, typename Period>
+[[nodiscard]] constexpr bool is_finite(const std::chrono::duration<Ticks, Period>&) {
+  return true;
 }
 
 /// All coefficients of a vector or matrix are finite.

@@ -4,6 +4,7 @@
 
 #include <splinertia/cpp20.hpp>
 
+#include <cstdlib>
 #include <stdexcept>
 
 #ifdef __cpp_exceptions
@@ -16,9 +17,8 @@
 #include <string_view>
 
 #ifndef SPLINERTIA_REFUSE
-#include <cstdlib>
-/// Without exceptions only: what is done with the text of an error, a `const char*`. It must not return. Define it
-/// before the first header of the library, alike in all source files.
+/// Without exceptions only: what is done with the text of an error, a `const char*`. The program is aborted if it
+/// returns. Define it before the first header of the library, alike in all source files.
 #define SPLINERTIA_REFUSE(text) (std::fprintf(stderr, "%s\n", text), std::abort())
 #endif
 #endif
@@ -63,7 +63,7 @@ template <typename Error, typename... Parts>
   std::size_t used = 0;
   (detail::append_part(text, sizeof text, used, parts), ...);
   SPLINERTIA_REFUSE(text);
-  __builtin_unreachable();
+  std::abort();
 #endif
 }
 

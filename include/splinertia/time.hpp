@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <ratio>
+#include <splinertia/finite.hpp>
 #include <splinertia/refuse.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -115,7 +116,7 @@ template <TimePoint Time, std::floating_point Seconds>
   // 2^(bits − 1) − 1/2 is the first that rounds to an integer beyond; in Seconds of few digits it is 2^(bits − 1).
   constexpr Seconds limit =
       -static_cast<Seconds>((std::numeric_limits<typename Time::rep>::min)()) - Seconds(1) / Seconds(2);
-  if (!(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
+  if (!is_finite(duration) || !(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
   return Time(static_cast<typename Time::rep>(std::llround(ticks)));
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <splinertia/finite.hpp>
 #include <splinertia/imu/simulate.hpp>
+#include <splinertia/message.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/strapdown/euler.hpp>
@@ -8,6 +13,8 @@
 #include <splinertia/strapdown/magnus4.hpp>
 #include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/rotating_frame.hpp>
+#include <splinertia/strapdown/runge_kutta4.hpp>
+#include <splinertia/strapdown/trapezoid.hpp>
 
 #include "support/catch.hpp"
 #include "support/random_group.hpp"
@@ -22,6 +29,34 @@ struct Row {  // the least that a sample has to be
   Eigen::Vector3d gyro, accel;
 };
 }  // namespace
+
+TEMPLATE_TEST_CASE("The largest readings that are taken give finite states, larger ones are refused", "", Midpoint,
+                   Magnus4, Trapezoid, RungeKutta4, RungeKutta4DoubleStep) {
+  const auto run = []<typename Scalar>(Scalar reading, bool both) {
+    std::vector<TimedImuSample<Scalar, double>> rows;
+    for (int i = 0; i < 6; ++i) {
+      const Scalar x = i % 2 == 0 || both ? reading : -reading;
+      rows.push_back({0.25 * i, {x, x, 0}, {x, 0, x}});
+    }
+    return integrate<TestType>(NavState<Scalar, double>{{}, {0, 0, 0}, {0, 0, 0}, 0}, rows).back();
+  };
+  const auto check = [&]<typename Scalar>(Scalar most) {
+    for (const bool both : {false, true}) {
+      const auto state = run(most, both);
+      CHECK(all_finite(state.R_WB.unit_quaternion().coeffs()));
+      CHECK(all_finite(state.v_WB));
+      CHECK(all_finite(state.p_WB));
+      CHECK_THROWS_AS(run(2 * most, both), std::invalid_argument);
+    }
+  };
+  check(std::ldexp(1.0, 341));  // the third power is below 2^1024
+  check(std::ldexp(1.0F, 42));
+  if constexpr (std::same_as<TestType, Midpoint>) {
+    CHECK_THROWS_WITH(run(1e200, true),
+                      Catch::Matchers::StartsWith("integrate: sample 0 at 0 has gyro[0] = 1e+200, expected 4.47") &&
+                          Catch::Matchers::EndsWith("e+102 at most"));
+  }
+}
 
 TEMPLATE_TEST_CASE("A body at rest stays where it is", "", Euler, Midpoint) {
   testing::Random random(1);
@@ -114,7 +149,7 @@ TEST_CASE("Samples that do not follow each other or the state are refused") {
   const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 1};
   const auto at = [](double t) { return Row{t, {0, 0, 0}, {0, 0, 0}}; };
   CHECK_THROWS_WITH(integrate<Euler>(initial, std::vector{at(2), at(3)}),
-                    "integrate: the first sample is at 2, the initial state at 1");
+                    "integrate: the first sample is at 2, the initial state at 1, expected the same time");
   CHECK_THROWS_WITH(integrate<Euler>(initial, std::vector{at(1), at(2), at(2)}),
                     "integrate: sample 2 is at 2, expected a time after 2");
   CHECK_THROWS_AS(integrate<Euler>(initial, std::vector{at(1), at(std::nan(""))}), std::invalid_argument);
@@ -132,6 +167,12 @@ TEST_CASE("Readings, states and gravity that are not finite are refused") {
                     "integrate: the initial position[2] is nan, expected a finite number");
   CHECK_THROWS_WITH(integrate<Midpoint>(initial, std::vector{at(1, 0)}, {0, 0, nan}),
                     "integrate: gravity[2] is nan, expected a finite number");
+  for (const double x : {nan, std::numeric_limits<double>::infinity()}) {
+    const NavState<double> never{{}, {0, 0, 0}, {0, 0, 0}, x};
+    CHECK_THROWS_WITH(integrate<Midpoint>(never, std::vector<Row>{}),
+                      "integrate: the initial time is " + message(x) + ", expected a finite number");
+    CHECK_THROWS_AS(integrate<Midpoint>(never, std::vector{at(x, 0)}), std::invalid_argument);
+  }
   const IntegrationOptions<double, RotatingFrame<double>> turning{.frame = {{0, 0, nan}}};
   CHECK_THROWS_AS(integrate<Midpoint>(initial, std::vector{at(1, 0)}, {0, 0, 0}, turning), std::invalid_argument);
 }

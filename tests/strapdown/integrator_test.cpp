@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <cmath>
+#include <concepts>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/strapdown/coning_sculling.hpp>
 #include <splinertia/strapdown/euler.hpp>
@@ -112,6 +113,27 @@ TEST_CASE("A reading that is refused changes nothing, and the next one is taken"
   }
   CHECK(same(integrator.state(), undisturbed.state()));
   CHECK(integrator.gaps() == 0);
+}
+
+TEMPLATE_TEST_CASE("Samples may follow after the end", "", Midpoint, Magnus4, RungeKutta4DoubleStep,
+                   TwoSampleIncrements) {
+  const auto samples = readings<TestType>(testing::regular_stamps(100));
+  Integrator<TestType, double> paused(initial()), whole(initial());
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    paused.push(samples[i]);
+    whole.push(samples[i]);
+    if (i % 7 == 3) {
+      paused.finish();
+      CHECK(paused.state().time == samples[i].time);
+    }
+  }
+  paused.finish();
+  whole.finish();
+  CHECK(paused.state().time == whole.state().time);
+  // The steps before a pause have an order less.
+  const State exact = nav_state(testing::AggressiveMotion<>{}.evaluate<1>(whole.state().time), whole.state().time);
+  const double error = (whole.state().p_WB - exact.p_WB).norm();
+  CHECK((paused.state().p_WB - exact.p_WB).norm() < (std::same_as<TestType, Midpoint> ? 1.0000001 * error : 3.62));
 }
 
 TEST_CASE("Free fall is exact, also far from the origin and in float") {

@@ -104,6 +104,15 @@ TEMPLATE_TEST_CASE("A hole after the first sample is found with the second inter
   CHECK(gaps<TestType>(stamps, {.policy = GapPolicy::bridge}) == 2);
 }
 
+TEST_CASE("What rounding of the stamps adds to an interval is no gap") {
+  const double epoch = 1.4e9;
+  Preintegrator<Midpoint, double> imu(epoch);
+  const auto at = [&](int i) { return TimedImuSample<double, double>{epoch + i / 3.0, {0, 0, 0}, {0, 0, 0}}; };
+  for (int i = 0; i < 100; ++i) imu.push(at(i));
+  imu.push(at(109));  // nine are missing
+  CHECK_THROWS_AS(imu.push(at(120)), std::invalid_argument);
+}
+
 TEST_CASE("A gap's message says where it is and the way out, and leaves all as it was") {
   Preintegrator<Midpoint, double> imu(0.0);
   const auto at = [](double t) { return TimedImuSample<double, double>{t, {0, 0, 0}, {0, 0, 0}}; };

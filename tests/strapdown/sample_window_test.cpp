@@ -113,7 +113,8 @@ TEMPLATE_TEST_CASE("Of fewer samples than a scheme looks at, the first stands in
 TEST_CASE("What is refused changes nothing") {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   Recorder<Midpoint> recorder({.longest = 2});
-  CHECK_THROWS_WITH(recorder.push(0.5), "integrate: the first sample is at 0.5, the initial state at 0");
+  CHECK_THROWS_WITH(recorder.push(0.5),
+                    "integrate: the first sample is at 0.5, the initial state at 0, expected the same time");
   CHECK_THROWS_AS(recorder.push(nan), std::invalid_argument);
   recorder.push(0);
   recorder.push(1);
@@ -190,8 +191,8 @@ TEST_CASE("A limit for gaps that is none is refused") {
   CHECK_NOTHROW(Window(0.0, {.longest = std::numeric_limits<double>::infinity()}));
 }
 
-TEMPLATE_TEST_CASE("Readings that are not finite are refused, by index, stamp and value", "", Midpoint, Magnus4,
-                   RotationCorrectedIncrements, ThreeSampleIncrements) {
+TEMPLATE_TEST_CASE("Readings that are not finite or too large are refused, by index, stamp and value", "", Midpoint,
+                   Magnus4, RotationCorrectedIncrements, ThreeSampleIncrements) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const auto at = [](double time, double rate, double force) {
     if constexpr (TestType::takes_increments) {
@@ -217,7 +218,9 @@ TEMPLATE_TEST_CASE("Readings that are not finite are refused, by index, stamp an
     CHECK_THROWS_WITH(window.push(at(t, 0, -infinity), take),
                       sample + names[1] + "[2] = -inf, expected a finite number");
     CHECK_THROWS_AS(window.push(at(t, infinity, -infinity), take), std::invalid_argument);
-    window.push(at(t, 1.7e308, 1.7e308), take);  // their sum is infinite, they are not
+    CHECK_THROWS_AS(window.push(at(t, 1.7e308, -1.7e308), take), std::invalid_argument);
+    const double most = std::ldexp(1.0, 341);
+    window.push(at(t, most, most), take);  // their sum is larger, they are not
     CHECK(window.last() == t);
   }
   window.finish(take);

@@ -74,6 +74,7 @@ using Eigen::Vector3;
 /// A type with a complete GroupTraits. Demands only what evaluating a curve needs.
 template <typename G>
 concept LieGroup = requires(const G& x, const G& y, const Tangent<G>& a, const Tangent<G>& b) {
+  requires std::default_initializable<G>;
   requires GroupTraits<G>::Dof > 0;
   { GroupTraits<G>::identity() } -> std::convertible_to<G>;
   { GroupTraits<G>::compose(x, y) } -> std::convertible_to<G>;

@@ -75,7 +75,7 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
   if constexpr (std::floating_point<Time>) {
     rounding = 4 * std::numeric_limits<Time>::epsilon() * (std::max)(std::abs(times.start), std::abs(end));
   }
-  if (!(times.start >= start && last >= times.start && last - rounding <= end)) {
+  if (!(is_finite(times.start) && times.start >= start && last >= times.start && last - rounding <= end)) {
     refuse<std::out_of_range>("sample: ", count, " samples from ", printable(times.start), " to ", printable(last),
                               ", the curve is defined from ", printable(start), " to ", printable(end));
   }

@@ -41,10 +41,17 @@ concept SampleFor = (Scheme::takes_increments && ImuIncrement<S, Scalar, Time>) 
 template <typename Scheme, typename Scalar, typename Time, typename S>
 constexpr bool check_sample() {
   constexpr bool good = SampleFor<S, Scheme, Scalar, Time>;
-  static_assert(good || Scheme::takes_increments,
-                "this scheme takes point samples: structs with time, gyro (rad/s) and accel (m/s^2)");
-  static_assert(good || !Scheme::takes_increments,
-                "this scheme takes increments: structs with time, delta_angle (rad) and delta_velocity (m/s)");
+  constexpr bool timed = HasTime<S, Time> || !requires(const S& s) { s.time; };
+  static_assert(timed,
+                "the time of these samples is not of the type that this integrates over: both are double, in seconds, "
+                "or both the same std::chrono::duration, in which an integer has to be wrapped");
+  static_assert(
+      good || !timed || Scheme::takes_increments,
+      "this scheme takes point samples: structs with time, gyro (rad/s) and accel (m/s^2), Eigen's vectors of "
+      "three of the scalar that this integrates in");
+  static_assert(good || !timed || !Scheme::takes_increments,
+                "this scheme takes increments: structs with time, delta_angle (rad) and delta_velocity (m/s), Eigen's "
+                "vectors of three of the scalar that this integrates in");
   return good;
 }
 

@@ -50,7 +50,7 @@ class Integrator {
     push(sample, [](const State&) {});
   }
 
-  /// Brings the state to the last sample. No sample can be added after it.
+  /// Brings the state to the last sample, without what a scheme would have seen behind it. Samples may follow.
   void finish(const auto& visit) { window_.finish(step(visit)); }
   void finish() {
     finish([](const State&) {});

@@ -34,31 +34,38 @@ class Preintegrator {
   using Covariance = std::conditional_t<has_noise, ImuCovariance<Scalar>, NoCovariance>;
   using Result = PreintegratedImu<Scalar, Covariance>;
 
+  /// Throws std::invalid_argument for a start or a bias that is not finite and for noise that is not finite or < 0.
   explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
                          const GapOptions<Scalar>& gaps = {})
       : result_(bias), noise_(noise), window_(start, gaps) {
     require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
     require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
+    if constexpr (has_noise) {
+      require_non_negative("preintegrate", "the gyroscope's noise density", noise.gyro_density);
+      require_non_negative("preintegrate", "the accelerometer's noise density", noise.accel_density);
+      require_non_negative("preintegrate", "the walk of the gyroscope's bias", noise.gyro_walk);
+      require_non_negative("preintegrate", "the walk of the accelerometer's bias", noise.accel_walk);
+    }
   }
 
   /// Adds a sample. Throws std::invalid_argument as Integrator does.
-  template <ImuSample<Scalar, Time> Sample>
-    requires(!Scheme::takes_increments)
+  template <typename Sample>
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
-    window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel}, step());
-  }
-  template <ImuIncrement<Scalar, Time> Sample>
-    requires Scheme::takes_increments
-  void push(const Sample& sample) {
-    const ImuBias<Scalar>& bias = result_.bias();
-    const Scalar h = window_.since_last(sample.time);
-    window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
-                                                 sample.delta_velocity - bias.accel * h},
-                 step());
+    if constexpr (!check_sample<Scheme, Scalar, Time, Sample>()) {
+      // The compiler has said what is wrong.
+    } else if constexpr (Scheme::takes_increments) {
+      const Scalar h = window_.since_last(sample.time);
+      window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
+                                                   sample.delta_velocity - bias.accel * h},
+                   step());
+    } else {
+      window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel},
+                   step());
+    }
   }
 
-  /// Brings the result to the last sample; none can be added after it.
+  /// Brings the result to the last sample, without what a scheme would have seen behind it. Samples may follow.
   void finish() { window_.finish(step()); }
 
   [[nodiscard]] const Result& result() const { return result_; }

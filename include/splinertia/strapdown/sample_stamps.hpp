@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <limits>
@@ -23,7 +24,10 @@ class SampleStamps {
   /// `intervals`: over how many of them differences of times are taken later, which must not overflow.
   SampleStamps(Time start, const GapOptions<Scalar>& gaps, int intervals)
       : last_(start), origin_(start), gaps_(gaps), intervals_(intervals) {
-    if (gaps.longest && !(*gaps.longest > Scalar(0))) {
+    if (!is_finite(start)) {
+      refuse<std::invalid_argument>("integrate: the initial time is ", printable(start), ", expected a finite number");
+    }
+    if (gaps.longest && ((finite_math_only && !is_finite(*gaps.longest)) || !(*gaps.longest > Scalar(0)))) {
       refuse<std::invalid_argument>("integrate: the longest interval is ", *gaps.longest, " s, expected one > 0");
     }
   }
@@ -97,7 +101,11 @@ class SampleStamps {
       return;
     }
     const Scalar longest = mean * many > least ? Scalar(mean * many) : least;
-    if (!(interval > longest)) return;
+    Scalar rounding(0);  // of the stamps
+    if constexpr (std::floating_point<Time>) {
+      rounding = Scalar(2) * static_cast<Scalar>(std::numeric_limits<Time>::epsilon() * std::abs(time));
+    }
+    if (!(interval > longest + rounding)) return;
     if (gaps_.policy == GapPolicy::refuse) {
       refuse<std::invalid_argument>("integrate: sample ", index, " at ", printable(time), " comes ", interval,
                                     " s after the one before, expected at most ", longest, " s", way_out);

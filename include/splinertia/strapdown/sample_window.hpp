@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <splinertia/finite.hpp>
 #include <splinertia/refuse.hpp>
+#include <splinertia/require.hpp>
 #include <splinertia/strapdown/gap_options.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
 #include <splinertia/strapdown/sample_stamps.hpp>
@@ -96,10 +98,20 @@ class SampleWindow {
                                       " s: the scheme needs equal intervals");
       }
     }
-    // A sum is finite only where all that is in it is. That of very large numbers may not be: examined() looks again.
-    const Scalar sum = (rate + force).sum();
-    if (!(stamps_.follows(time) && is_finite(sum))) [[unlikely]]
+    // A sum is finite only where all that is in it is; that of large numbers may be too large: examine() looks again.
+    const Scalar sum = abs((rate + force).sum());
+    if (!(stamps_.follows(time) && sum <= most() && (!finite_math_only || is_finite(sum)))) [[unlikely]]
       examine(time, rate, force);
+  }
+
+  // Schemes multiply three readings.
+  [[nodiscard]] static constexpr Scalar most() {
+    if constexpr (std::floating_point<Scalar>) {
+      constexpr Scalar factor = largest_factor<Scalar>();
+      return factor;
+    } else {
+      return (std::numeric_limits<Scalar>::max)();
+    }
   }
 
   // Out of the way of what is inlined.
@@ -107,11 +119,11 @@ class SampleWindow {
     Stamps stamps = stamps_;
     if (takes_increments || pushed_ > 0) {
       stamps = stamps_.judged(time, pushed_, takes_increments ? pushed_ : pushed_ - 1);
-    } else if (time == last()) {
+    } else if (is_finite(time) && time == last()) {
       stamps = stamps_.begun();
     } else {
       refuse<std::invalid_argument>("integrate: the first sample is at ", printable(time), ", the initial state at ",
-                                    printable(last()));
+                                    printable(last()), ", expected the same time");
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
       check_reading(rate[i], takes_increments ? "delta_angle" : "gyro", i, time);
@@ -124,6 +136,10 @@ class SampleWindow {
     if (!is_finite(reading)) {
       refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
                                     "] = ", reading, ", expected a finite number");
+    }
+    if (!(-most() <= reading && reading <= most())) {
+      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
+                                    "] = ", reading, ", expected ", most(), " at most");
     }
   }
 

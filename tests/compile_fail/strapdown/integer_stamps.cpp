@@ -1,0 +1,16 @@
+// expect: the time of these samples is not of the type that this integrates over
+// SPDX-License-Identifier: MIT
+#include <chrono>
+#include <cstdint>
+#include <splinertia/strapdown/integrator.hpp>
+#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/preintegrator.hpp>
+
+using namespace splinertia;
+
+struct DriverSample {
+  std::int64_t time;
+  Eigen::Vector3d gyro, accel;
+};
+
+void f(Integrator<Midpoint, double>& integrator, const DriverSample& sample) { integrator.push(sample); }
