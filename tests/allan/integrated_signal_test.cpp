@@ -156,6 +156,11 @@ TEST_CASE("What is no log is refused") {
   CHECK(refusal(good, -200) == "Allan analysis: rate is -200, expected a finite number > 0");
   CHECK(refusal(good, not_a_number) == "Allan analysis: rate is nan, expected a finite number > 0");
   CHECK(refusal(good, infinity) == "Allan analysis: rate is inf, expected a finite number > 0");
+  // At which identification would look for times up to infinity, for ever.
+  CHECK(refusal(good, 1e-307) ==
+        "Allan analysis: rate is 1e-307, expected one at which the times of the signal are representable");
+  CHECK(refusal(good, 1e-305) == "nothing thrown");
+  CHECK(refusal(good, 1e308) == "nothing thrown");
   CHECK(refusal(std::vector<double>{}) == "Allan analysis: 0 values, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2}) == "Allan analysis: 2 values, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2, not_a_number, 3, infinity}) ==

@@ -21,12 +21,14 @@ void expect_curve(const allan::IntegratedSignal<double>& signal, bool usual) {
 }
 
 void use_signal(Input& input) {
-  const bool all = input.flag();
+  // Identification takes ten times as long as all curves, and the longer the more terms it has to choose from.
+  const bool all = input.integer(0, 3) == 3;
+  const int terms = all ? input.integer(0, 255) : 0;
   Numbers numbers{input};
   const double rate = numbers.wild ? numbers() : 1 + std::abs(numbers());
-  const auto repeats = static_cast<std::size_t>(input.integer(1, 8));
+  const auto repeats = static_cast<std::size_t>(input.integer(1, 4));
   std::vector<double> values;
-  while (!input.empty() && values.size() < 300) values.push_back(numbers());
+  while (!input.empty() && values.size() < 100) values.push_back(numbers());
   const std::size_t size = values.size();
   // More samples than bytes: patterns with a drift.
   for (std::size_t i = size; i < size * repeats; ++i) {
@@ -44,7 +46,9 @@ void use_signal(Input& input) {
   });
   if (!all) return;
   (void)accepted("", [&] {
-    const auto analysis = allan::analyse(values, rate);
+    const auto sets = static_cast<int>(allan::NoiseTerms::sets);
+    const auto analysis =
+        allan::analyse(values, rate, {.candidates = allan::NoiseTerms::numbered(static_cast<unsigned>(terms % sets))});
     for (const allan::NoiseTerm term : allan::noise_terms) {
       const auto& estimate = analysis.noise[term];
       expect(!numbers.usual || !std::isnan(estimate.value), "an estimate is NaN");

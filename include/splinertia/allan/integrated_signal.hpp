@@ -43,8 +43,9 @@ using ScalarOfSignal =
 /// of 9.81 m/s² lose up to 4 % of the deviation at long averaging times. The sums are compensated, so that each x_i is
 /// the exact sum of what the scalar makes of y_j − mean to within eps·|x_i|.
 ///
-/// Memory: n + 1 scalars. Throws std::invalid_argument for a rate that is not finite and > 0, fewer than 3 samples, a
-/// sample that is not finite, and a signal that is constant: it has no noise to speak of, or a sensor that is stuck.
+/// Memory: n + 1 scalars. Throws std::invalid_argument for a rate that is not finite and > 0, one at which 64·n/rate is
+/// infinite, fewer than 3 samples, a sample that is not finite, and a signal that is constant: it has no noise to speak
+/// of, or a sensor that is stuck.
 template <std::floating_point Scalar_ = double>
 class IntegratedSignal {
  public:
@@ -109,6 +110,9 @@ class IntegratedSignal {
       refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ", fewest);
     }
     const auto n = static_cast<std::size_t>(count);
+    // Identification looks for times of up to some times the log.
+    require(is_finite(64 * static_cast<Scalar>(n) / rate_), "Allan analysis", "rate", rate_,
+            "one at which the times of the signal are representable");
     sums_.reserve(zeros + n);
     sums_.assign(zeros, Scalar(0));
     sums_.insert(sums_.end(), std::begin(values), std::end(values));
