@@ -102,12 +102,13 @@ void plot(const Options& o) {
 void analyse_log(Options o) {
   o.identify.candidates = terms_of(o.terms);
   for (const std::string& band : o.exclude) o.identify.excluded.push_back(band_of(band));
+  OutputFolder folder(o.output, "allan", {o.log, o.reading.accel_log.value_or("")});
+  folder.expect_no_inputs({"curves.csv", "noise.csv", "spectrum.csv", "findings.csv"});
+  if (!o.no_plot) folder.expect_pictures("allan");
   const ImuLog log = read_imu_log(o.log, o.reading);
   const LogNoise noise = analyse(log, o.identify, o.threads);
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
   print_report(log, noise);
-  OutputFolder folder(o.output, "allan");
-  if (!o.no_plot) folder.expect_pictures("allan");
   write_files(noise, folder, estimators_of(o.for_estimators));
   if (!o.no_plot) plot(o);
 }

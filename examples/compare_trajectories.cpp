@@ -14,6 +14,7 @@
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
+#include "support/inputs.hpp"
 #include "support/program.hpp"
 #include "support/python_script.hpp"
 #include "support/trajectory_input.hpp"
@@ -28,11 +29,22 @@ Poses read(const TrajectoryInput& input) {
   return std::move(file.poses);
 }
 
+/// The files are added later. What the run reads is none of them.
+FileSet files_to_write(const Options& o) {
+  FileSet files;
+  keep_inputs(files, inputs_of(o.reference));
+  keep_inputs(files, inputs_of(o.estimate));
+  files.expect_not_kept(o.csv, "another path for --csv");
+  files.expect_not_kept(o.errors, "another path for --errors");
+  files.expect_not_kept(o.plot, "another path for --plot");
+  return files;
+}
+
 void run(const Options& o) {
+  FileSet files = files_to_write(o);
   const Poses reference = read(o.reference), estimate = read(o.estimate);
   const Comparison comparison = compare(reference, estimate, o);
   print(comparison, reference.size(), estimate.size(), o);
-  FileSet files;
   if (!o.errors.empty()) write_errors(o.errors, comparison, files);
   if (!o.csv.empty()) write_table(o.csv, comparison, files);
   files.commit();

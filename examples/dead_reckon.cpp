@@ -12,6 +12,7 @@
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/euroc.hpp>
+#include <splinertia/io/file_set.hpp>
 #include <splinertia/splinertia.hpp>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "dead_reckon/options.hpp"
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
+#include "support/inputs.hpp"
 #include "support/program.hpp"
 #include "support/trajectory_input.hpp"
 
@@ -137,7 +139,7 @@ std::array<double, 6> figures(const Row& row) {
           quantile(row.attitude, 0.5), quantile(row.attitude, 0.9), quantile(row.attitude, 1)};
 }
 
-void write_table(const std::filesystem::path& path, const std::vector<Row>& rows) {
+void write_table(const std::filesystem::path& path, const std::vector<Row>& rows, FileSet& files) {
   AtomicFile file(path);
   file.append(
       "window_s,runs,skipped,gaps,position_median_m,position_90_m,position_max_m,attitude_median_deg,attitude_90_deg,"
@@ -150,7 +152,8 @@ void write_table(const std::filesystem::path& path, const std::vector<Row>& rows
     }
     file.append('\n');
   }
-  file.commit();
+  file.commit(files);
+  files.commit();
 }
 
 void print_table(const std::vector<Row>& rows) {
@@ -164,6 +167,10 @@ void print_table(const std::vector<Row>& rows) {
 }
 
 void run(const Options& o) {
+  FileSet files;
+  keep_inputs(files, inputs_of(o.trajectory));
+  keep_inputs(files, {o.imu, o.calibration});
+  files.expect_not_kept(o.csv, "another path for --csv");
   Inputs in{read_euroc_imu(o.imu), read_truth(o), {}};
   const auto& [samples, truth, used] = in;
   in.setup = setup(o, truth.with_biases);
@@ -189,7 +196,7 @@ void run(const Options& o) {
                   row.skipped);
     }
   }
-  if (!o.csv.empty()) write_table(o.csv, rows);
+  if (!o.csv.empty()) write_table(o.csv, rows, files);
 }
 
 void check(const Options& o) {

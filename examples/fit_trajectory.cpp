@@ -16,6 +16,8 @@
 #include "support/extremes.hpp"
 #include "support/fit_report.hpp"
 #include "support/formatted.hpp"
+#include "support/inputs.hpp"
+#include "support/output_folder.hpp"
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
@@ -36,7 +38,20 @@ void plot(const Options& o) {
   }
 }
 
+/// Files that are there only sometimes are checked before they are written.
+OutputFolder output_folder(const Options& o) {
+  Inputs inputs = inputs_of(o.input);
+  inputs.push_back(o.imu.file);
+  OutputFolder folder(o.output, "fit_trajectory", inputs);
+  folder.expect_no_inputs(
+      {"control_points.csv", "residuals.csv", "gaps.csv", "report.txt", "derived_imu.csv", "smoothed.tum"});
+  if (!o.imu.file.empty()) folder.expect_no_inputs({"imu_residuals.csv", "calibration.yaml"});
+  if (!o.no_plot) folder.expect_pictures("fit");
+  return folder;
+}
+
 void run(Options& o) {
+  OutputFolder folder = output_folder(o);
   const FitInput input = read_fit_input(o.input);
   if (!input.poses.empty()) {
     check_sampling_rate(o.rate, to_seconds<double>(input.poses.back().time - input.poses.front().time));
@@ -53,7 +68,7 @@ void run(Options& o) {
     std::fputs(report.c_str(), stdout);
     throw NotAccepted(reason + "; nothing is written (--accept takes the result as it is)");
   }
-  const WrittenFiles written = write_files(fitted, report, o);
+  const WrittenFiles written = write_files(fitted, report, o, folder);
   std::fputs(report.c_str(), stdout);
   std::printf("\n%swrote %s to %s\n", written.note.c_str(), written.names.c_str(), o.output.string().c_str());
   if (!o.no_plot) plot(o);

@@ -97,7 +97,7 @@ void run(const KnownImu& known, const Options& o) {
   ImuLogOptions reading;
   reading.python = o.python;
   const LogNoise noise = analyse(read_imu_log(bag, reading), {});
-  OutputFolder output(folder, "known_noise");
+  OutputFolder output(folder, "known_noise", {});
   if (!o.no_plot) output.expect_pictures("allan");
   write_files(noise, output);
   if (!o.no_plot) {

@@ -42,11 +42,12 @@ namespace {
 /// Goes through the samples along a trajectory, writes the files and says how well the samples integrate back.
 class Run {
  public:
-  Run(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o, const Sensor& sensor)
+  Run(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o, const Sensor& sensor,
+      OutputFolder& folder)
       : truth_(truth),
         holes_(holes),
         options_(o),
-        output_(o, sensor, holes),
+        output_(o, sensor, holes, folder),
         ideal_("ideal", o.gravity.vector),
         noisy_("noisy", o.gravity.vector),
         in_hole_(holes.size()) {}
@@ -147,8 +148,8 @@ class Run {
   std::size_t samples_ = 0, written_ = 0, dropped_ = 0;
 };
 
-void simulate_along(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o,
-                    const Sensor& sensor) {
+void simulate_along(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o, const Sensor& sensor,
+                    OutputFolder& folder) {
   check_sampling_rate(sensor.rate, to_seconds<double>(truth.end() - truth.start()));
   const auto readings =
       simulate(truth, sensor.errors, {.rate = sensor.rate, .seed = o.seed, .gravity = o.gravity.vector});
@@ -156,13 +157,14 @@ void simulate_along(const AnyTrajectory& truth, const std::vector<Hole>& holes, 
   std::printf("IMU: %zu samples at %g Hz, %g s, seed %llu\n", readings.size(), sensor.rate,
               to_seconds<double>(duration), static_cast<unsigned long long>(o.seed));
   std::fputs(describe(sensor.errors).c_str(), stdout);
-  Run run(truth, holes, o, sensor);
+  Run run(truth, holes, o, sensor, folder);
   run.follow(readings);
   run.finish();
 }
 
 void simulate_file(const Options& o) {
   const Sensor sensor = sensor_of(o);
+  OutputFolder folder = output_folder(o, sensor);
   const FitInput input = read_fit_input(o.input);
   const FittedTrajectory fitted = fit_trajectory(input, o.fit, nullptr);
   const Extremes found = extremes(input.poses, fitted, o.gravity.vector, sensor.rate);
@@ -170,10 +172,12 @@ void simulate_file(const Options& o) {
   if (const std::string reason = not_converged(fitted, o.fit); !reason.empty() && !o.fit.accept) {
     throw NotAccepted(reason + "; nothing is written (--accept takes the result as it is)");
   }
-  simulate_along(fitted.curve, fitted.holes, o, sensor);
+  simulate_along(fitted.curve, fitted.holes, o, sensor, folder);
 }
 
 void simulate_analytic(const Options& o) {
+  const Sensor sensor = sensor_of(o);
+  OutputFolder folder = output_folder(o, sensor);
   const auto motion = [&](const auto& exact) {
     return AnyTrajectory(exact, nanoseconds(0), to_nanoseconds(o.duration));
   };
@@ -182,7 +186,7 @@ void simulate_analytic(const Options& o) {
                               : o.motion == "circle" ? motion(Circle<>{.radius = 5, .rate = 0.4, .height = 1})
                               : o.motion == "coning" ? motion(Coning<>{.angle = 0.1, .rate = 10})
                                                      : motion(at_rest(SO3xR3<double>{}));
-  simulate_along(truth, {}, o, sensor_of(o));
+  simulate_along(truth, {}, o, sensor, folder);
 }
 
 }  // namespace

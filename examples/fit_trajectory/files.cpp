@@ -8,7 +8,6 @@
 #include "files.hpp"
 #include "support/calibration_file.hpp"
 #include "support/formatted.hpp"
-#include "support/output_folder.hpp"
 #include "support/progress.hpp"
 
 using namespace splinertia;
@@ -101,9 +100,8 @@ std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted,
 
 }  // namespace
 
-WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o) {
-  OutputFolder folder(o.output, "fit_trajectory");
-  if (!o.no_plot) folder.expect_pictures("fit");
+WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report, const Options& o,
+                         OutputFolder& folder) {
   std::deque<AtomicFile> files;
   const auto begin = [&](const char* name) -> AtomicFile& { return files.emplace_back(folder.path(name)); };
   write_control_points(begin("control_points.csv"), fitted, o);

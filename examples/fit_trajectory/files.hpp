@@ -5,6 +5,7 @@
 
 #include "options.hpp"
 #include "support/fitted_trajectory.hpp"
+#include "support/output_folder.hpp"
 
 struct WrittenFiles {
   std::string names;  // "control_points.csv, ... and smoothed.tum"
@@ -13,4 +14,4 @@ struct WrittenFiles {
 
 /// Writes the files but the plot, all or none of them. control_points.csv is there only if all others are.
 [[nodiscard]] WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report,
-                                       const Options& options);
+                                       const Options& options, OutputFolder& folder);

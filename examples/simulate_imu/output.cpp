@@ -8,8 +8,19 @@
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
-Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& holes)
-    : folder_(o.output, "simulate_imu"),
+OutputFolder output_folder(const Options& o, const Sensor& sensor) {
+  Inputs inputs = inputs_of(o.input);
+  inputs.insert(inputs.end(), {o.errors, o.imu_noise});
+  OutputFolder folder(o.output, "simulate_imu", inputs);
+  folder.expect_no_inputs({"imu.csv", "groundtruth.csv", "poses.tum"});
+  if (o.npy) folder.expect_no_inputs({"imu.npy"});
+  if (imu_noise_of(sensor.errors, sensor.rate)) folder.expect_no_inputs({"imu.yaml"});
+  folder.files().expect_not_kept(o.csv, "another path for --csv");
+  return folder;
+}
+
+Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& holes, OutputFolder& folder)
+    : folder_(folder),
       imu_csv_(folder_.path("imu.csv")),
       imu_npy_(o.npy ? std::make_optional<NpyImuWriter>(folder_.path("imu.npy")) : std::nullopt),
       groundtruth_csv_(folder_.path("groundtruth.csv")),

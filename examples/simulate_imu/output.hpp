@@ -17,11 +17,15 @@
 #include "support/holes.hpp"
 #include "support/output_folder.hpp"
 
+/// Where the files are going to be. Throws std::invalid_argument if the run reads one of them; gaps.csv, which is there
+/// only sometimes, is checked when it is begun.
+[[nodiscard]] OutputFolder output_folder(const Options& options, const Sensor& sensor);
+
 /// The files of a run. All appear with commit(), or none. imu.csv is there only if all others are.
 class Output {
  public:
   /// Creates the folder and begins the files.
-  Output(const Options& options, const Sensor& sensor, const std::vector<Hole>& holes);
+  Output(const Options& options, const Sensor& sensor, const std::vector<Hole>& holes, OutputFolder& folder);
 
   /// One sample, taken in the true state.
   void append(const splinertia::StampedImuReading<double, std::chrono::nanoseconds>& reading, const TrueState& truth);
@@ -33,7 +37,7 @@ class Output {
   [[nodiscard]] std::string commit();
 
  private:
-  OutputFolder folder_;
+  OutputFolder& folder_;
   splinertia::EurocImuWriter imu_csv_;
   std::optional<splinertia::NpyImuWriter> imu_npy_;
   splinertia::EurocGroundtruthWriter groundtruth_csv_;

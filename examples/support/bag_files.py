@@ -59,6 +59,13 @@ def replacing(target):
         os.replace(temporary, target)
 
 
+def keep_input(source, output):
+    """Refuses an output that is the input, or a file of it where it is a folder."""
+    for path in [source, *source.iterdir()] if source.is_dir() else [source]:
+        if path.is_file() and output.is_file() and path.samefile(output):
+            raise Failure(f"{output}: is read by this run and would be replaced by it, expected another output")
+
+
 def import_rosbags():
     try:
         import rosbags.rosbag1

@@ -19,7 +19,7 @@ import struct
 import sys
 
 import standard_output
-from bag_files import SUFFIXES, Failure, choose_topic, guarded, import_rosbags, opened, replacing, run
+from bag_files import SUFFIXES, Failure, choose_topic, guarded, import_rosbags, keep_input, opened, replacing, run
 
 MESSAGE = "sensor_msgs/msg/Imu"
 HEADER = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
@@ -105,6 +105,7 @@ def excerpt(line):
 def write_bag(arguments, progress):
     rosbags = import_rosbags()
     source, output = pathlib.Path(arguments.input), pathlib.Path(arguments.output)
+    keep_input(source, output)
     form = arguments.format or {suffix: form for form, suffix in SUFFIXES.items()}.get(output.suffix)
     if not form:
         if output.suffix:
@@ -173,6 +174,7 @@ def read_bag(path, wanted, duplicates, progress):
 
 def write_csv(arguments, progress):
     source = pathlib.Path(arguments.input)
+    keep_input(source, pathlib.Path(arguments.output))
     samples = read_bag(source, arguments.topic, arguments.keep_duplicates, progress)
     topic = next(samples)
     samples = itertools.chain([next(samples)], samples)  # most of what can be wrong is found before anything is written

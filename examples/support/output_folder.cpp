@@ -78,11 +78,10 @@ std::map<std::string, std::vector<Written>> read_list(const std::filesystem::pat
   return list;
 }
 
-std::filesystem::path created(std::filesystem::path folder) {
+void create(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error(message(folder.string(), ": cannot create this folder: ", error.message()));
-  return folder;
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -91,10 +90,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(std::filesystem::path folder, std::string_view program)
-    : folder_(created(std::move(folder))), list_(folder_ / message('.', program, ".files")), program_(program) {}
+OutputFolder::OutputFolder(std::filesystem::path folder, std::string_view program, const Inputs& inputs)
+    : folder_(std::move(folder)), list_(folder_ / message('.', program, ".files")), program_(program) {
+  keep_inputs(files_, inputs);
+  expect_no_inputs({list_.filename().string()});
+}
+
+void OutputFolder::expect_no_inputs(std::initializer_list<std::string_view> names) const {
+  for (const std::string_view name : names) files_.expect_not_kept(folder_ / name, "another --output folder");
+}
 
 std::filesystem::path OutputFolder::path(std::string_view name) {
+  expect_no_inputs({name});
+  create(folder_);
   names_.emplace_back(name);
   return folder_ / name;
 }
@@ -111,7 +119,10 @@ std::string OutputFolder::list_and_remove_left_over() {
     const bool own = std::any_of(versions.begin(), versions.end(), [&](const Written& w) { return !w || *w == now; });
     if (own) text += line_of(name, now);
     if (contains(names_, name)) continue;
-    if (own) {
+    if (own && files_.keeps(path)) {
+      std::fprintf(stderr, "%s: note: %s stays: an earlier run wrote it, but this one reads it\n", program_.c_str(),
+                   path.c_str());
+    } else if (own) {
       files_.remove(std::filesystem::canonical(path));
       removed.push_back(name);
     } else if (!contains(expected_, name)) {

@@ -112,6 +112,12 @@ def draw(path, title):
     return figure
 
 
+def draw_to(picture, errors, title):
+    if picture.exists() and picture.samefile(errors):
+        raise Failure(f"{picture}: is read by this run and would be replaced by it, expected another name")
+    plotting.save(draw(errors, title), picture)
+
+
 def main():
     arguments = plotting.parser(__doc__)
     arguments.add_argument("errors", type=pathlib.Path, help="that compare_trajectories --errors has written")
@@ -121,7 +127,7 @@ def main():
         given = arguments.parse_args()
         if given.picture.suffix not in (".png", ".svg"):
             arguments.error(f"{given.picture}: expected a name that ends in .png or .svg")
-        plotting.run(lambda: plotting.save(draw(given.errors, given.title), given.picture))
+        plotting.run(lambda: draw_to(given.picture, given.errors, given.title))
 
 
 if __name__ == "__main__":

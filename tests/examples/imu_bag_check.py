@@ -215,6 +215,17 @@ def check_bad_input(csv, bag):
     refused(["to-csv", work, work / "no.csv"], "no metadata.yaml")
     refused(["to-csv", bag, work / "none" / "no.csv"], "none: no such folder")
     refused(["to-csv", bag, work], "exists and is not a regular file")
+    kept = bag.read_bytes(), csv.read_bytes()
+    (work / "link.csv").symlink_to(csv)
+    (work / "link.bag").symlink_to(bag)
+    for same in bag, work / "link.bag":
+        refused(["to-csv", bag, same], "is read by this run and would be replaced by it, expected another output")
+        refused(["to-csv", same, bag], "is read by this run and would be replaced by it, expected another output")
+    for same in csv, work / "link.csv":
+        refused(["to-bag", csv, same, "--format", "bag"], "is read by this run and would be replaced by it")
+    expect((bag.read_bytes(), csv.read_bytes()) == kept, "an input has been replaced")
+    (work / "link.csv").unlink()
+    (work / "link.bag").unlink()
     for name in "cut.bag", "cut.mcap", "cut.db3":
         for size in 0, 10, 5000, 50000:
             whole = (work / name.replace("cut", "imu")).read_bytes()

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <splinertia/io/atomic_file.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -19,8 +20,8 @@ namespace {
 
 /// A run that writes these files, the text into each.
 std::string run(const std::filesystem::path& path, std::initializer_list<const char*> names, std::string_view text,
-                bool pictures = false) {
-  OutputFolder folder(path, "program");
+                bool pictures = false, const Inputs& inputs = {}) {
+  OutputFolder folder(path, "program", inputs);
   if (pictures) folder.expect_pictures("plot");
   for (const char* name : names) {
     AtomicFile file(folder.path(name));
@@ -98,6 +99,53 @@ TEST_CASE("links in the folder are followed and stay") {
   CHECK(std::filesystem::is_symlink(folder / "out/a.txt"));
   CHECK_FALSE(exists(folder / "elsewhere/a.txt"));
   CHECK(content(folder / "elsewhere/b.txt") == "second");
+}
+
+TEST_CASE("what a run reads is neither replaced nor removed") {
+  const test::TemporaryDirectory folder;
+  CHECK(run(folder / ".", {"a.txt", "b.txt"}, "first") == "a.txt and b.txt");
+  std::filesystem::create_symlink("b.txt", folder / "link.txt");
+  for (const char* input : {"b.txt", "link.txt"}) {
+    const Inputs inputs{folder / input, "", folder / "missing.txt"};
+    const std::string refused = (folder / "./b.txt").string() +
+                                ": is read by this run and would be replaced by it, expected another --output folder";
+    OutputFolder output(folder / ".", "program", inputs);
+    output.expect_no_inputs({"a.txt", "c.txt"});
+    CHECK(test::error_of<std::invalid_argument>([&] { output.expect_no_inputs({"a.txt", "b.txt"}); }) == refused);
+    CHECK(test::error_of<std::invalid_argument>([&] { (void)output.path("b.txt"); }) == refused);
+    (void)run(folder / ".", {"a.txt"}, "second", false, inputs);
+    CHECK(content(folder / "b.txt") == "first");
+  }
+  (void)run(folder / ".", {"a.txt"}, "third");  // which does not read it
+  CHECK_FALSE(exists(folder / "b.txt"));
+}
+
+TEST_CASE("a picture that a run reads is not drawn over, and its own list is not its input") {
+  const test::TemporaryDirectory folder;
+  folder.write("plot.svg", "input");
+  OutputFolder output(folder / ".", "program", {folder / "plot.svg"});
+  CHECK_THROWS_AS(output.expect_pictures("plot"), std::invalid_argument);
+  folder.write(".program.files", "a.txt\n");
+  CHECK_THROWS_AS(OutputFolder(folder / ".", "program", {folder / ".program.files"}), std::invalid_argument);
+}
+
+TEST_CASE("the files of a ROS 2 bag are inputs") {
+  const test::TemporaryDirectory folder;
+  std::filesystem::create_directory(folder / "bag");
+  folder.write("bag/metadata.yaml", "input");
+  folder.write("bag/notes.txt", "mine");
+  OutputFolder output(folder / "bag", "program", {folder / "bag"});
+  CHECK_THROWS_AS(output.path("metadata.yaml"), std::invalid_argument);
+  CHECK_NOTHROW(output.path("notes.txt"));
+}
+
+TEST_CASE("the folder is made for the first file, not before") {
+  const test::TemporaryDirectory folder;
+  OutputFolder output(folder / "new", "program", {});
+  output.expect_no_inputs({"a.txt"});
+  CHECK(folder.files() == 0);
+  (void)output.path("a.txt");
+  CHECK(exists(folder / "new"));
 }
 
 TEST_CASE("a list that names files outside of the folder removes none") {

@@ -42,6 +42,37 @@ TEST_CASE("the file appears with commit") {
   CHECK(folder.files() == 1);
 }
 
+TEST_CASE("what is appended to a file that was committed or abandoned is refused at once") {
+  const test::TemporaryDirectory folder;
+  const auto path = folder / "out.txt";
+  const std::string refused = path.string() + ": was committed or abandoned before";
+  const auto expect_refused = [&](AtomicFile& file) {
+    CHECK(error_of<std::runtime_error>([&] { file.append('c'); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { file.append("short"); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { file.append_integer(1); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { file.append_real(1); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { (void)file.room(1); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { (void)file.room(1'000'000); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { file.overwrite_begin("x"); }) == refused);
+    CHECK(error_of<std::runtime_error>([&] { file.commit(); }) == refused);
+  };
+  AtomicFile alone(path), abandoned(path), of_a_set(path);
+  alone.append("text");
+  alone.commit();
+  expect_refused(alone);
+  abandoned.append("text");
+  abandoned.abandon();
+  expect_refused(abandoned);
+  FileSet set;
+  of_a_set.append("text");
+  of_a_set.commit(set);
+  expect_refused(of_a_set);
+  set.commit();
+  expect_refused(of_a_set);
+  CHECK(content(path) == "text");
+  CHECK(folder.files() == 1);
+}
+
 TEST_CASE("without commit the old file stays and nothing else") {
   const test::TemporaryDirectory folder;
   const auto path = folder.write("out.txt", "old");

@@ -133,6 +133,51 @@ TEST_CASE("a file that cannot be removed is named") {
         (folder / "left.txt").string() + ": cannot remove the old file: Directory not empty");
 }
 
+TEST_CASE("what a run reads is neither replaced nor removed, whatever path leads to it") {
+  const test::TemporaryDirectory folder;
+  folder.write("input.txt", "input");
+  folder.write("left.txt", "input, too");
+  std::filesystem::create_directory(folder / "sub");
+  std::filesystem::create_symlink("input.txt", folder / "link.txt");
+  std::filesystem::create_hard_link(folder / "input.txt", folder / "hard.txt");
+  FileSet set;
+  set.keep(folder / "sub/../input.txt");
+  set.keep(folder / "left.txt");
+  set.keep(folder / "missing.txt");
+  set.keep("-");
+  for (const char* name : {"input.txt", "./input.txt", "link.txt", "hard.txt"}) {
+    INFO(name);
+    const auto path = folder / name;
+    CHECK(set.keeps(path));
+    CHECK(error_of<std::invalid_argument>([&] { add(set, path, "output"); }) ==
+          path.string() + ": is read by this run and would be replaced by it, expected another path");
+    CHECK(error_of<std::invalid_argument>([&] { set.expect_not_kept(path, "another folder"); }) ==
+          path.string() + ": is read by this run and would be replaced by it, expected another folder");
+  }
+  add(set, folder / "a.txt", "new a");
+  add(set, folder / "missing.txt", "new");
+  set.expect_not_kept(folder / "b.txt");
+  set.remove(folder / "./left.txt");
+  set.commit();
+  CHECK(content(folder / "input.txt") == "input");
+  CHECK(content(folder / "left.txt") == "input, too");
+  CHECK(content(folder / "a.txt") == "new a");
+  CHECK(folder.files() == 7);
+}
+
+TEST_CASE("a link may be kept, and a link to nothing that is there") {
+  const test::TemporaryDirectory folder;
+  folder.write("input.txt", "input");
+  std::filesystem::create_symlink("input.txt", folder / "link.txt");
+  std::filesystem::create_symlink("nothing.txt", folder / "nowhere.txt");
+  FileSet set;
+  set.keep(folder / "link.txt");
+  CHECK(set.keeps(folder / "input.txt"));
+  CHECK_FALSE(set.keeps(folder / "nowhere.txt"));
+  add(set, folder / "nowhere.txt", "new");
+  CHECK_THROWS_AS(add(set, folder / "input.txt", "new"), std::invalid_argument);
+}
+
 #if __has_include(<sys/wait.h>)
 TEST_CASE("a process that ends before the commit leaves nothing") {
   const test::TemporaryDirectory folder;

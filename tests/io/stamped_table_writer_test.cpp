@@ -47,6 +47,23 @@ TEST_CASE("rows are written as the layout says") {
   }
 }
 
+TEST_CASE("a row that comes after the commit is refused, not lost") {
+  const test::TemporaryDirectory folder;
+  const auto path = folder / "points";
+  StampedTableWriter alone(path, commas), of_a_set(path, commas);
+  FileSet set;
+  alone.append(nanoseconds{1}, point);
+  alone.commit();
+  of_a_set.append(nanoseconds{1}, point);
+  of_a_set.commit(set);
+  for (StampedTableWriter* table : {&alone, &of_a_set}) {
+    CHECK(error_of<std::runtime_error>([&] { table->append(nanoseconds{2}, point); }) ==
+          path.string() + ": was committed or abandoned before");
+    CHECK(error_of<std::runtime_error>([&] { table->comment("of nothing"); }) ==
+          path.string() + ": was committed or abandoned before");
+  }
+}
+
 TEST_CASE("what no reader would take is not written") {
   const test::TemporaryDirectory folder;
   const auto path = folder / "points";

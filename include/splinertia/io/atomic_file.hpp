@@ -16,7 +16,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace splinertia {
 
@@ -82,7 +81,7 @@ class AtomicFile {
     file_.overwrite_begin(text);
   }
 
-  /// Writes what is buffered and puts the file in the target's place. Nothing can be appended afterwards.
+  /// Writes what is buffered and puts the file in the target's place. Whatever is appended afterwards throws.
   void commit() {
     complete();
     file_.publish();
@@ -91,11 +90,14 @@ class AtomicFile {
   /// The same, but the file appears with the others of the set.
   void commit(FileSet& set) {
     complete();
-    set.add(std::move(file_));
+    set.add(file_.release());
   }
 
   /// Gives up: drops the new file. From then on, as after any error, whatever is appended or committed throws.
-  void abandon() noexcept { file_.discard(); }
+  void abandon() noexcept {
+    close();
+    file_.discard();
+  }
 
   /// The file that commit() writes.
   [[nodiscard]] const std::filesystem::path& path() const { return file_.target(); }
@@ -111,13 +113,17 @@ class AtomicFile {
   }
   void flush() {
     const std::string_view text(buffer_.get(), static_cast<std::size_t>(end_ - buffer_.get()));
-    end_ = buffer_.get();
+    close();
     file_.write(text);
+    end_ = buffer_.get();
   }
   void complete() {
     flush();
+    close();
     file_.complete();
   }
+  /// Says that the buffer is full: whatever is appended is given to file_ at once, which refuses it.
+  void close() noexcept { end_ = buffer_.get() + capacity_; }
 
   detail::PendingFile file_;
   std::size_t capacity_ = 1 << 16;

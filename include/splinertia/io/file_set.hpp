@@ -4,12 +4,14 @@
 
 #include <splinertia/cpp20.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <splinertia/io/detail/pending_file.hpp>
 #include <splinertia/io/write_error.hpp>
 #include <splinertia/message.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -30,6 +32,11 @@ namespace splinertia {
 ///   curves.commit(set);
 ///   noise.commit(set);    // readers look for this one
 ///   set.commit();
+///
+/// What a run reads is kept: a set neither replaces nor removes it.
+///
+///   set.keep("imu.csv");
+///   AtomicFile("./imu.csv").commit(set);    // throws
 ///
 /// Two sets that are committed at the same time to the same paths must be kept apart by the caller.
 class FileSet {
@@ -56,9 +63,28 @@ class FileSet {
     return result;
   }
 
+  /// Keeps a file that the run reads, whatever path leads to it: add() refuses to replace it and remove() leaves it. To
+  /// be called before these. What is no file (a pipe, a name that stands for something else) may be given, too.
+  void keep(std::filesystem::path path) { kept_.push_back(std::move(path)); }
+
+  /// Whether a path leads to a file that is kept: it may be spelled otherwise, a symbolic link or another hard link.
+  [[nodiscard]] bool keeps(const std::filesystem::path& path) const {
+    std::error_code ignored;  // of paths where there is nothing
+    return std::any_of(kept_.begin(), kept_.end(),
+                       [&](const auto& kept) { return std::filesystem::equivalent(kept, path, ignored); });
+  }
+
+  /// For programs, before the long work. Throws std::invalid_argument if the file is kept, with what was `expected`.
+  void expect_not_kept(const std::filesystem::path& path, std::string_view expected = "another path") const {
+    if (!keeps(path)) return;
+    throw std::invalid_argument(
+        message(path.string(), ": is read by this run and would be replaced by it, expected ", expected));
+  }
+
   /// Takes a complete file. Called by the commit(FileSet&) of writers. Throws std::invalid_argument if the set has one
-  /// of this path.
+  /// of this path, or if the file there is kept.
   void add(detail::PendingFile file) {
+    expect_not_kept(file.given());
     const auto path = std::filesystem::weakly_canonical(file.target());
     for (const auto& other : files_) {
       if (std::filesystem::weakly_canonical(other.target()) != path) continue;
@@ -67,8 +93,10 @@ class FileSet {
     files_.push_back(std::move(file));
   }
 
-  /// A file that an earlier run has left and that this one does not have: commit() removes it.
-  void remove(std::filesystem::path path) { left_over_.push_back(std::move(path)); }
+  /// A file that an earlier run has left and that this one does not have: commit() removes it, unless it is kept.
+  void remove(std::filesystem::path path) {
+    if (!keeps(path)) left_over_.push_back(std::move(path));
+  }
 
   /// Replaces the old files by the new ones. Throws WriteError with path and reason if the system refuses.
   void commit() {
@@ -89,7 +117,7 @@ class FileSet {
   }
 
   std::vector<detail::PendingFile> files_;
-  std::vector<std::filesystem::path> left_over_;
+  std::vector<std::filesystem::path> kept_, left_over_;
 };
 
 }  // namespace splinertia

@@ -113,6 +113,15 @@ class PendingFile {
     discard();
   }
 
+  /// Gives the file away, but not its paths, which messages name.
+  [[nodiscard]] PendingFile release() {
+    auto given = given_, target = target_;
+    PendingFile released(std::move(*this));
+    given_ = std::move(given);
+    target_ = std::move(target);
+    return released;
+  }
+
   void discard() noexcept {
     if (file_) std::fclose(std::exchange(file_, nullptr));
     std::error_code ignored;
