@@ -116,7 +116,7 @@ TEST_CASE("jitter invents no missing samples and leaves the rate") {
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
   for (const double jitter : {0.1, 0.2, 0.3}) {
-    for (const std::size_t missing : {0, 3}) {
+    for (const std::size_t missing : {0U, 3U}) {
       CAPTURE(jitter, missing);
       std::vector<double> stamps;
       for (int i = 0; i < 10000; ++i) {

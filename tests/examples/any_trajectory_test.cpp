@@ -26,8 +26,8 @@ auto curve() {
 /// What the readings and the true states of two trajectories differ by at most.
 double difference(const auto& a, const auto& b) {
   const Imu imu{ErrorModel{RandomWalk{1e-3}}, ErrorModel{WhiteNoise{1e-2}}};
-  const auto readings_a = simulate(a, imu, {.rate = 133, .seed = 3}),
-             readings_b = simulate(b, imu, {.rate = 133, .seed = 3});
+  const auto readings_a = simulate(a, imu, {.rate = 133, .seed = 3});
+  const auto readings_b = simulate(b, imu, {.rate = 133, .seed = 3});
   REQUIRE(readings_a.size() == readings_b.size());
   double most = 0;
   auto second = readings_b.begin();
