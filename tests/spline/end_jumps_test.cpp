@@ -47,7 +47,7 @@ G moved(const G& pose, const Eigen::Vector3d& by) { return {pose.get<0>(), Eigen
 }  // namespace
 
 TEST_CASE("Poses of identity at the start are beyond the jump") {
-  for (const std::size_t identities : {1, 2, 5, 16}) {
+  for (const std::size_t identities : {1U, 2U, 5U, 16U}) {
     for (const double noise : {0., 1e-6, 1e-3}) {
       auto poses = poses_of(hand, 100, 300, noise);
       for (std::size_t i = 0; i < identities; ++i) poses[i].value = G();
@@ -64,7 +64,7 @@ TEST_CASE("Poses of identity at the start are beyond the jump") {
 }
 
 TEST_CASE("Wrong poses at the end are beyond the jump") {
-  for (const std::size_t wrong : {1, 2, 3}) {
+  for (const std::size_t wrong : {1U, 2U, 3U}) {
     auto poses = poses_of(hand, 30, 200, 0.01);
     for (std::size_t i = 200 - wrong; i < 200; ++i) {
       const double k = static_cast<double>(i);

@@ -130,7 +130,7 @@ TEST_CASE("Where the ends of a curve have no poses that count, it goes on from t
 }
 
 TEST_CASE("Wrong poses at the edge of a hole") {
-  for (const std::size_t wrong : {1, 2}) {
+  for (const std::size_t wrong : {1U, 2U}) {
     auto poses = poses_of(rest, {{2, 3}});
     const auto edge = static_cast<std::size_t>(std::lround(2 * rate));
     for (std::size_t i = 0; i < wrong; ++i) poses[edge - i].value.get<1>() += Eigen::Vector3d(0.5, -1, 0);

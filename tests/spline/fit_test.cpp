@@ -537,7 +537,7 @@ TEST_CASE("Wrong poses at the ends are named, have no weight, and move nothing")
   const auto clean = hand_poses(30, 200, noise);
   for (const RobustLoss& loss : robust_losses) {
     const auto expected = fit<SplitCurve>(clean, {.loss = loss});
-    for (const std::size_t wrong : {1, 2, 3}) {
+    for (const std::size_t wrong : {1U, 2U, 3U}) {
       for (const bool at_start : {true, false}) {
         INFO(wrong << " at the " << (at_start ? "start" : "end"));
         auto poses = clean;
@@ -634,7 +634,7 @@ TEST_CASE("Key frames with pauses converge with chosen knots") {
 
 TEST_CASE("Two poses, three, and poses that are all alike") {
   const auto hand = hand_poses(10, 200, 0);
-  for (const std::size_t count : {2, 3, 4, 5, 6, 7, 8, 9, 10, 16}) {
+  for (const std::size_t count : {2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 16U}) {
     const PosesOf<SplitCurve> few(hand.begin(), hand.begin() + static_cast<std::ptrdiff_t>(count));
     for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::huber(), RobustLoss::cauchy()}) {
       INFO(count << " poses");
@@ -646,7 +646,7 @@ TEST_CASE("Two poses, three, and poses that are all alike") {
       }
     }
   }
-  for (const std::size_t count : {2, 3, 10, 300}) {
+  for (const std::size_t count : {2U, 3U, 10U, 300U}) {
     PosesOf<SplitCurve> same;
     for (std::size_t i = 0; i < count; ++i) same.push_back({0.01 * static_cast<double>(i), hand[7].value});
     for (const RobustLoss& loss : {RobustLoss::squares(), RobustLoss::cauchy()}) {

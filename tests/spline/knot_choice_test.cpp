@@ -194,7 +194,7 @@ TEST_CASE("Holes and gross outliers hardly change the choice") {
   auto poses = clean;
   std::erase_if(poses, [](const auto& p) { return (p.time > 3 && p.time < 4) || (p.time > 11 && p.time < 11.4); });
   CHECK_THAT(choose_knot_interval(poses).interval, WithinRel(expected, 0.2));
-  for (const std::size_t i : {400, 401, 1700}) poses[i].value[0] += 50;
+  for (const std::size_t i : {400U, 401U, 1700U}) poses[i].value[0] += 50;
   CHECK_THAT(choose_knot_interval(poses).interval, WithinRel(expected, 0.2));
 }
 

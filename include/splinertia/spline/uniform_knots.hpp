@@ -169,11 +169,10 @@ struct UniformKnots {
     }
   }
 
-  // t − (start + s·interval), rounded once.
-  [[nodiscard]] Time since_knot(std::size_t s, Time t) const
-    requires std::floating_point<Time>
-  {
-    return std::fma(-static_cast<Time>(s), interval, t - start);
+  // t − (start + s·interval), rounded once. A template, because clang 14 instantiates members for integer times, too.
+  template <std::floating_point Seconds>
+  [[nodiscard]] Seconds since_knot(std::size_t s, Seconds t) const {
+    return std::fma(-static_cast<Seconds>(s), interval, t - start);
   }
 };
 
