@@ -2,6 +2,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <splinertia/group/pose.hpp>
@@ -68,7 +69,7 @@ TEST_CASE("The median interval does not see holes") {
 
 TEST_CASE("The residual vanishes for polynomials of the degree N − 2, at uneven times as well") {
   const std::vector<double> times{0, 0.7, 1.1, 2.4, 2.9, 4.2, 4.4};
-  const auto first = [&](std::size_t n) { return std::vector<double>(times.begin(), times.begin() + n); };
+  const auto first = [&](std::ptrdiff_t n) { return std::vector<double>(times.begin(), times.begin() + n); };
   const auto power = [](int degree) { return [degree](double t) { return std::pow(t - 1.3, degree); }; };
   for (int degree = 0; degree <= 5; ++degree) {
     INFO("degree " << degree);
