@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -65,7 +66,16 @@ bool sound(const Estimates& estimates) {
 }
 
 /// Each estimate of `a` times what belongs to it is that of `b`.
-void check_scaled(const Estimates& a, const Estimates& b, const std::vector<double>& factors, double tolerance) {
+using Factors = std::array<double, noise_terms.size()>;
+
+/// One factor for all terms.
+Factors alike(double factor) {
+  Factors factors;
+  factors.fill(factor);
+  return factors;
+}
+
+void check_scaled(const Estimates& a, const Estimates& b, const Factors& factors, double tolerance) {
   for (const NoiseTerm term : noise_terms) {
     INFO(symbol(term));
     const double factor = factors[static_cast<std::size_t>(term)];
@@ -226,7 +236,7 @@ TEST_CASE("Three axes that are alike have errors smaller by the root of three") 
   // The same three times: that chance deviates alike in all of them is not what chance does.
   const IdentifyOptions<double> options{.exclude_misfits = false};
   const auto single = identify(signal, options), same = identify_pooled<double>({spectrum}, options);
-  check_scaled(single, same, {1, 1, 1, 1, 1}, 0);
+  check_scaled(single, same, alike(1), 0);
   const auto pooled = identify_pooled<double>({spectrum, spectrum, spectrum}, options);
   for (const NoiseTerm term : {NoiseTerm::white, NoiseTerm::random_walk, NoiseTerm::rate_ramp}) {
     INFO(symbol(term));
@@ -251,16 +261,16 @@ TEST_CASE("Results scale with the signal and the rate") {
   for (const double factor : {0x1p-660, 0x1p660, -1.0}) {
     auto scaled = y;
     for (double& value : scaled) value *= factor;
-    check_scaled(estimates, identify(scaled, 1.0), std::vector<double>(5, std::abs(factor)), 1e-14);
+    check_scaled(estimates, identify(scaled, 1.0), alike(std::abs(factor)), 1e-14);
   }
   for (const double factor : {1e-200, 1e-3, 1e200}) {
     auto scaled = y;
     for (double& value : scaled) value *= factor;
-    check_scaled(estimates, identify(scaled, 1.0), std::vector<double>(5, factor), 1e-5);
+    check_scaled(estimates, identify(scaled, 1.0), alike(factor), 1e-5);
   }
   const double root = std::sqrt(1000.0);
   // Ends of intervals are found to 1e-5 of their distance.
-  check_scaled(estimates, identify(y, 1000.0), {1 / root, root, 1, 1e-3, 1e3}, 1e-6);
+  check_scaled(estimates, identify(y, 1000.0), {1 / root, root, 1, 1e-3, 1e3, 1, 1}, 1e-6);
 }
 
 TEST_CASE("The mean of the signal does not matter") {
@@ -270,7 +280,7 @@ TEST_CASE("The mean of the signal does not matter") {
   for (const double mean : {-3.0, 9.81, 1e6}) {
     auto moved = y;
     for (double& value : moved) value += mean;
-    check_scaled(estimates, identify(moved, 1.0), {1, 1, 1, 1, 1}, 1e-5);
+    check_scaled(estimates, identify(moved, 1.0), alike(1), 1e-5);
   }
 }
 
