@@ -23,7 +23,8 @@ struct BandedVector {
   Eigen::Matrix<Scalar, Border, 1> border;
 
   [[nodiscard]] Scalar dot(const BandedVector& other) const {
-    Scalar sum = border.dot(other.border);
+    Scalar sum(0);
+    if constexpr (Border > 0) sum = border.dot(other.border);
     for (std::size_t i = 0; i < blocks.size(); ++i) sum += blocks[i].dot(other.blocks[i]);
     return sum;
   }
@@ -243,14 +244,20 @@ template <typename System>
   using Block = typename System::Block;
   for (std::size_t i = 0; i < n; ++i) {
     const Block diagonal = A.rows[i].lower[0].template selfadjointView<Eigen::Lower>();
-    y.blocks[i] = diagonal * x.blocks[i] + A.rows[i].border * x.border;
+    y.blocks[i] = diagonal * x.blocks[i];
     for (std::size_t j = 1; j < A.rows[i].lower.size() && j <= i; ++j) {
       y.blocks[i] += A.rows[i].lower[j] * x.blocks[i - j];
       y.blocks[i - j] += A.rows[i].lower[j].transpose() * x.blocks[i];
     }
   }
-  y.border = A.corner.template selfadjointView<Eigen::Lower>() * x.border;
-  for (std::size_t i = 0; i < n; ++i) y.border += A.rows[i].border.transpose() * x.blocks[i];
+  if constexpr (System::Corner::RowsAtCompileTime >
+                0) {  // products of no columns have Eigen read through null pointers
+    y.border = A.corner.template selfadjointView<Eigen::Lower>() * x.border;
+    for (std::size_t i = 0; i < n; ++i) {
+      y.blocks[i] += A.rows[i].border * x.border;
+      y.border += A.rows[i].border.transpose() * x.blocks[i];
+    }
+  }
   return y;
 }
 
