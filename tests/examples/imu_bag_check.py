@@ -222,7 +222,7 @@ def check_bad_input(csv, bag):
         refused(["to-csv", bag, same], "is read by this run and would be replaced by it, expected another output")
         refused(["to-csv", same, bag], "is read by this run and would be replaced by it, expected another output")
     for same in csv, work / "link.csv":
-        refused(["to-bag", csv, same, "--format", "bag"], "is read by this run and would be replaced by it")
+        refused(["to-bag", csv, same, "--format", "ros1"], "is read by this run and would be replaced by it")
     expect((bag.read_bytes(), csv.read_bytes()) == kept, "an input has been replaced")
     (work / "link.csv").unlink()
     (work / "link.bag").unlink()
