@@ -16,7 +16,8 @@
 
 namespace splinertia {
 
-/// Whether this file is compiled with such an option: then comparisons with NaN may come out either way.
+/// Whether comparisons with NaN may come out either way, because this file is compiled with -ffast-math or a part of
+/// it.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 constexpr bool finite_math_only = true;
 #else

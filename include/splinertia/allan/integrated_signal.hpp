@@ -110,7 +110,7 @@ class IntegratedSignal {
       refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ", fewest);
     }
     const auto n = static_cast<std::size_t>(count);
-    // Identification looks for times of up to some times the log.
+    // The longest time that identification tries is max(64, 8 n)/rate (model_likelihood.hpp).
     require(is_finite(64 * static_cast<Scalar>(n) / rate_), "Allan analysis", "rate", rate_,
             "one at which the times of the signal are representable");
     sums_.reserve(zeros + n);

@@ -250,8 +250,8 @@ template <typename System>
       y.blocks[i - j] += A.rows[i].lower[j].transpose() * x.blocks[i];
     }
   }
-  if constexpr (System::Corner::RowsAtCompileTime >
-                0) {  // products of no columns have Eigen read through null pointers
+  constexpr int border = System::Corner::RowsAtCompileTime;
+  if constexpr (border > 0) {  // Eigen's products of no columns read through null pointers
     y.border = A.corner.template selfadjointView<Eigen::Lower>() * x.border;
     for (std::size_t i = 0; i < n; ++i) {
       y.blocks[i] += A.rows[i].border * x.border;

@@ -21,7 +21,8 @@ struct IntegrationOptions {
 /// at the initial time; or one of coning_sculling.hpp, of increments, which begin there; or a type of your own
 /// (scheme.hpp). One point sample gives the initial state, two or three are enough for any scheme, at a lower order.
 /// Nothing is kept. Throws std::invalid_argument where the first point sample is not at initial.time, where the initial
-/// state, gravity or a reading are not finite, where stamps do not increase, and for a gap that is refused.
+/// state, gravity or a reading are not finite, where a reading is beyond largest_factor(), where stamps do not
+/// increase, and for a gap that is refused.
 template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_range Samples, typename Visit,
           typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time> && std::invocable<Visit&, const NavState<Scalar, Time>&>

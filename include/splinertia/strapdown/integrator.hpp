@@ -40,7 +40,8 @@ class Integrator {
 
   /// Adds a sample and advances the state as far as the scheme can; calls visit(state) after each step. Throws
   /// std::invalid_argument for a first point sample that is not at the time of the initial state, for readings that are
-  /// not finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
+  /// not finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused;
+  /// then nothing has changed.
   template <typename AnySample>
   [[gnu::always_inline]] void push(const AnySample& sample, const auto& visit) {
     if constexpr (check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));

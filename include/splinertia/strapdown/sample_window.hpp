@@ -45,7 +45,8 @@ class SampleWindow {
   }
 
   /// Adds a point sample: the first one at the start. Throws std::invalid_argument otherwise, for readings that are not
-  /// finite, for a stamp that is not after the last one, and for a gap that is refused; then nothing has changed.
+  /// finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused; then
+  /// nothing has changed.
   template <typename AnySample>
     requires(!takes_increments && ImuSample<AnySample, Scalar, Time>)
   [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
@@ -104,7 +105,7 @@ class SampleWindow {
       examine(time, rate, force);
   }
 
-  // Schemes multiply three readings.
+  // The largest magnitude of a reading: schemes multiply three of them.
   [[nodiscard]] static constexpr Scalar most() {
     if constexpr (std::floating_point<Scalar>) {
       constexpr Scalar factor = largest_factor<Scalar>();
