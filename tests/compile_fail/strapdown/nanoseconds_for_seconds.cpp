@@ -1,8 +1,6 @@
 // expect: the time of these samples is not of the type that this integrates over
 // SPDX-License-Identifier: MIT
 #include <chrono>
-#include <cstdint>
-#include <splinertia/strapdown/integrator.hpp>
 #include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/preintegrator.hpp>
 
