@@ -16,9 +16,9 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/npy_imu.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <splinertia/imu/ideal_imu.hpp>
-#include <splinertia/imu/normal.hpp>
-#include <splinertia/spline/fit.hpp>
+#include <splinertia/random/normal.hpp>
+#include <splinertia/spline/fit/fit.hpp>
 #include <vector>
 
 using namespace splinertia;

@@ -13,9 +13,9 @@
 #include <optional>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
-#include <splinertia/imu/normal.hpp>
-#include <splinertia/imu/random_stream.hpp>
-#include <splinertia/spline/fit.hpp>
+#include <splinertia/random/normal.hpp>
+#include <splinertia/random/random_stream.hpp>
+#include <splinertia/spline/fit/fit.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <string>
 #include <tuple>

@@ -13,11 +13,11 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/group/pose.hpp>
-#include <splinertia/imu/random_walk.hpp>
 #include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
-#include <splinertia/imu/white_noise.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/sample.hpp>
 #include <splinertia/spline/spline.hpp>

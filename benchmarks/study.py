@@ -101,7 +101,7 @@ auto imu(std::vector<Curve::Group> points) {{
   return sample_imu(curve, curve.start(), 1e-3, 1000);
 }}
 """
-FIT = INCLUDES + """#include <splinertia/spline/fit.hpp>
+FIT = INCLUDES + """#include <splinertia/spline/fit/fit.hpp>
 using namespace splinertia;
 using Curve = Spline<{group}, {order}>;
 auto through(const std::vector<Stamped<Curve::Group, double>>& poses) {{

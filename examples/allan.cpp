@@ -11,9 +11,9 @@
 #include <map>
 #include <optional>
 #include <splinertia/allan/curve.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/file_set.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <utility>
 

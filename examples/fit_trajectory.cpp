@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string>

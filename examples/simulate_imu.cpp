@@ -6,11 +6,11 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/imu/describe.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/motion/coning.hpp>
 #include <splinertia/motion/constant_twist.hpp>

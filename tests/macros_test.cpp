@@ -66,10 +66,10 @@
 #define emit
 #define foreach for
 
+#include <splinertia/calibration/inertial_fit.hpp>
 #include <splinertia/splinertia.hpp>
-#include <splinertia/strapdown/inertial_fit.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
 
 TEST_CASE("The headers bear the macros of others") {
   const splinertia::Spline<Eigen::Vector2d, 4> curve({.start = 0, .interval = 0.1},

@@ -9,7 +9,7 @@
 #include <splinertia/parallel.hpp>
 #include <splinertia/splinertia.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <vector>
 
 #include "support/catch.hpp"

@@ -13,9 +13,9 @@
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/fit_curve.hpp>
 #include <splinertia/allan/identify.hpp>
-#include <splinertia/imu/error_model.hpp>
-#include <splinertia/imu/random_walk.hpp>
-#include <splinertia/imu/white_noise.hpp>
+#include <splinertia/errors/error_model.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -17,8 +17,8 @@
 #include <functional>
 #include <initializer_list>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

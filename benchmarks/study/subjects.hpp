@@ -7,7 +7,7 @@
 #include <random>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/sample_imu.hpp>
-#include <splinertia/spline/fit.hpp>
+#include <splinertia/spline/fit/fit.hpp>
 #include <utility>
 
 #include "curves.hpp"

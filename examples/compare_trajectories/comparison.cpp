@@ -2,9 +2,9 @@
 #include "compare_trajectories/comparison.hpp"
 
 #include <cmath>
-#include <splinertia/message.hpp>
-#include <splinertia/strapdown/trajectory_drift.hpp>
-#include <splinertia/strapdown/trajectory_pairs.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/evaluation/trajectory_drift.hpp>
+#include <splinertia/evaluation/trajectory_pairs.hpp>
 #include <splinertia/time.hpp>
 #include <splinertia/units.hpp>
 #include <stdexcept>

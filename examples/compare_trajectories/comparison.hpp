@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <splinertia/evaluation/trajectory_error.hpp>
+#include <splinertia/evaluation/trajectory_time_offset.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/strapdown/trajectory_error.hpp>
-#include <splinertia/strapdown/trajectory_time_offset.hpp>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <splinertia/strapdown/trajectory_alignment.hpp>
+#include <splinertia/evaluation/trajectory_alignment.hpp>
 #include <string>
 #include <vector>
 

@@ -3,9 +3,9 @@
 
 #include <cstdio>
 #include <random>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/units.hpp>
 #include <string>
 #include <system_error>

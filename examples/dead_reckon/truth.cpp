@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/trajectory.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <optional>
 #include <splinertia/imu/ideal_imu.hpp>
-#include <splinertia/strapdown/bias_jacobians.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
+#include <splinertia/strapdown/preintegration/bias_jacobians.hpp>
 #include <string>
 #include <vector>
 

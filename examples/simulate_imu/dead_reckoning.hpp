@@ -9,12 +9,12 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
-#include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrator.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
+#include <splinertia/strapdown/schemes/euler.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <splinertia/units.hpp>
 
 using TrueState = splinertia::NavState<double, std::chrono::nanoseconds>;

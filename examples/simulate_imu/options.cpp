@@ -2,10 +2,10 @@
 #include "options.hpp"
 
 #include <map>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/presets.hpp>
-#include <splinertia/imu/random_walk.hpp>
-#include <splinertia/imu/white_noise.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 
 #include "support/error_yaml.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/parallel.hpp>
 #include <stdexcept>
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <deque>
 #include <limits>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
 #include <string_view>
 
 #include "support/formatted.hpp"

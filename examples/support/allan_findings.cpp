@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <splinertia/allan/unit_check.hpp>
-#include <splinertia/imu/error_term.hpp>
+#include <splinertia/allan/record/unit_check.hpp>
+#include <splinertia/errors/error_term.hpp>
 
 #include "support/formatted.hpp"
 #include "support/noise_text.hpp"

@@ -2,7 +2,7 @@
 #include "support/allan_report.hpp"
 
 #include <cstdio>
-#include <splinertia/imu/error_term.hpp>
+#include <splinertia/errors/error_term.hpp>
 #include <string>
 #include <vector>
 

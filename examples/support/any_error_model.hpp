@@ -7,10 +7,10 @@
 #include <concepts>
 #include <map>
 #include <memory>
+#include <splinertia/errors/clock/stamp.hpp>
+#include <splinertia/errors/error_model.hpp>
+#include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/imu/describe.hpp>
-#include <splinertia/imu/error_model.hpp>
-#include <splinertia/imu/saturation.hpp>
-#include <splinertia/imu/stamp.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/number_text.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <splinertia/strapdown/inertial_fit.hpp>
+#include <splinertia/calibration/inertial_fit.hpp>
 #include <string>
 
 /// The text of the file: every number of ImuCalibration with its standard deviation, and units as comments. Throws

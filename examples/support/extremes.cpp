@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <splinertia/motion/kinematics.hpp>
-#include <splinertia/spline/pose_statistics.hpp>
+#include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"

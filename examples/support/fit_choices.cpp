@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/fit_choices.hpp"
 
-#include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <utility>
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <splinertia/spline/pose_statistics.hpp>
+#include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"

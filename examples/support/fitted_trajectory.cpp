@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/fitted_trajectory.hpp"
 
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <utility>
 

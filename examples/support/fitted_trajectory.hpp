@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <splinertia/calibration/inertial_fit.hpp>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/spline/choose_knots.hpp>
-#include <splinertia/strapdown/inertial_fit.hpp>
+#include <splinertia/spline/fit/choose_knots.hpp>
 #include <string>
 #include <vector>
 

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
-#include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <vector>
 
 /// The acceleration of free fall in the world, m/s².

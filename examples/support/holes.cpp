@@ -2,7 +2,7 @@
 #include "support/holes.hpp"
 
 #include <algorithm>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"

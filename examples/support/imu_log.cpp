@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <span>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/stamp_unit.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
-#include <splinertia/require.hpp>
 #include <splinertia/units.hpp>
 #include <stdexcept>
 #include <utility>

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <splinertia/allan/sampling.hpp>
+#include <splinertia/allan/record/sampling.hpp>
 #include <splinertia/imu/describe.hpp>
 #include <string>
 #include <string_view>

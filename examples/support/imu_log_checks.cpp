@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <splinertia/allan/unit_check.hpp>
-#include <splinertia/imu/error_term.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/allan/record/unit_check.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/error_term.hpp>
 #include <stdexcept>
 
 #include "support/formatted.hpp"

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>

@@ -2,8 +2,8 @@
 #include "support/imu_log_stamps.hpp"
 
 #include <array>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/stamp_unit.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <vector>

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
-#include <splinertia/require.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>

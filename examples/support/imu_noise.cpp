@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <splinertia/imu/g_sensitivity.hpp>
-#include <splinertia/imu/misalignment.hpp>
-#include <splinertia/imu/random_walk.hpp>
-#include <splinertia/imu/white_noise.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
+#include <splinertia/errors/scale/g_sensitivity.hpp>
+#include <splinertia/errors/scale/misalignment.hpp>
 
 using namespace splinertia;
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <splinertia/finite.hpp>
-#include <splinertia/imu/misalignment.hpp>
-#include <splinertia/imu/misalignment_conventions.hpp>
-#include <splinertia/imu/noise_densities.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/noise_densities.hpp>
+#include <splinertia/errors/scale/misalignment.hpp>
+#include <splinertia/errors/scale/misalignment_conventions.hpp>
 #include <stdexcept>
 
 #include "support/imu_noise.hpp"

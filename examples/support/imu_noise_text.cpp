@@ -2,8 +2,8 @@
 // The writing half of imu_noise.hpp. The units are those of each estimator's source code, the recommendations those of
 // its documentation; docs/noise_densities.md and docs/allan.md have the tables.
 #include <cmath>
-#include <splinertia/imu/noise_densities.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/noise_densities.hpp>
 
 #include "support/imu_noise.hpp"
 #include "support/yaml_text.hpp"

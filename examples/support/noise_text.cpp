@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cmath>
-#include <splinertia/imu/error_term.hpp>
-#include <splinertia/imu/noise_densities.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/noise_densities.hpp>
 #include <splinertia/units.hpp>
 
 #include "support/formatted.hpp"

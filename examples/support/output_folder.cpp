@@ -13,8 +13,8 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
-#include <splinertia/message.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>

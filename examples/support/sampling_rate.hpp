@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 
 /// Throws std::invalid_argument, naming the option --rate, for a rate in Hz that the clock of files, in nanoseconds,

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <splinertia/finite.hpp>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/units.hpp>
 #include <stdexcept>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <set>
-#include <splinertia/imu/per_axis.hpp>
+#include <splinertia/errors/per_axis.hpp>
 #include <string>
 #include <vector>
 

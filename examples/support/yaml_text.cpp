@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 
 namespace {
 

@@ -4,7 +4,7 @@
 /// their thread library: CMake's Threads::Threads.)
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <algorithm>
 #include <atomic>

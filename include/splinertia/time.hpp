@@ -2,7 +2,7 @@
 /// Time is `double` (or another floating-point type), in seconds, or an integer std::chrono::duration since an epoch.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <limits>
 #include <ratio>
-#include <splinertia/finite.hpp>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>

@@ -4,10 +4,10 @@
 ///
 ///   WhiteNoise{0.66 * units::degree_per_root_hour}      // angle random walk 0.66 °/√h
 ///
-/// What a figure means is another matter (one-sided density? Allan floor?): see imu/noise_densities.hpp.
+/// What a figure means is another matter (one-sided density? Allan floor?): see errors/noise_densities.hpp.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <numbers>
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <splinertia/adapters/ceres_preintegration.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/preintegrator.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 
 #include "adapters/ceres_checks.hpp"
 

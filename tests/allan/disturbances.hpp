@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <splinertia/allan/difference_spectrum.hpp>
-#include <splinertia/imu/normal.hpp>
+#include <splinertia/allan/detail/difference_spectrum.hpp>
+#include <splinertia/random/normal.hpp>
 #include <vector>
 
 namespace splinertia::testing {

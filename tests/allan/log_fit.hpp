@@ -2,12 +2,12 @@
 /// What a fit of a log needs, in one place: SpectralFit and the likelihood read the spectrum, which they do not own.
 #pragma once
 
-#include <splinertia/allan/difference_spectrum.hpp>
+#include <splinertia/allan/detail/difference_spectrum.hpp>
+#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/pooled_spectrum.hpp>
+#include <splinertia/allan/detail/spectral_fit.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
-#include <splinertia/allan/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
-#include <splinertia/allan/pooled_spectrum.hpp>
-#include <splinertia/allan/spectral_fit.hpp>
 #include <string>
 #include <vector>
 

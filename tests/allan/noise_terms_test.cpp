@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <splinertia/allan/detail/spectral_fit.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
-#include <splinertia/allan/spectral_fit.hpp>
 #include <string>
 
 #include "support/catch.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <splinertia/imu/normal.hpp>
+#include <splinertia/random/normal.hpp>
 #include <vector>
 
 namespace splinertia::testing {

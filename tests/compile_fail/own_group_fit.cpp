@@ -1,6 +1,6 @@
 // expect: LieGroupWithJacobians
 // A fit on a group without Jacobians.
-#include <splinertia/spline/fit.hpp>
+#include <splinertia/spline/fit/fit.hpp>
 
 #include "../support/own_groups.hpp"
 

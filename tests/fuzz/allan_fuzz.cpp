@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <splinertia/allan/analysis.hpp>
-#include <splinertia/allan/sampling.hpp>
+#include <splinertia/allan/record/sampling.hpp>
 #include <vector>
 
 #include "fuzz/motions.hpp"

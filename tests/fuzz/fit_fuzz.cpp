@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cmath>
 #include <splinertia/group/euclidean.hpp>
-#include <splinertia/spline/fit.hpp>
-#include <splinertia/spline/interpolate.hpp>
+#include <splinertia/spline/fit/fit.hpp>
+#include <splinertia/spline/fit/interpolate.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <vector>
 

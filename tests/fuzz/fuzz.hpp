@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <splinertia/message.hpp>
+#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

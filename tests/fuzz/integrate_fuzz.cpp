@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <splinertia/strapdown/coning_sculling.hpp>
-#include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/preintegrator.hpp>
-#include <splinertia/strapdown/runge_kutta4.hpp>
-#include <splinertia/strapdown/trapezoid.hpp>
-#include <splinertia/strapdown/zero_order_hold.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/coning_sculling.hpp>
+#include <splinertia/strapdown/schemes/euler.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
+#include <splinertia/strapdown/schemes/runge_kutta4.hpp>
+#include <splinertia/strapdown/schemes/trapezoid.hpp>
+#include <splinertia/strapdown/schemes/zero_order_hold.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -6,8 +6,8 @@
 /// J⁻¹ has its pole and exp passes the identity, it is far above eps |f|. So beyond π, and only there, θ |df/dθ| (from
 /// the table's own derivatives where it has them) is part of the natural magnitude.
 #include <numbers>
-#include <splinertia/group/rigid_motion.hpp>
-#include <splinertia/group/rotation.hpp>
+#include <splinertia/group/detail/rigid_motion.hpp>
+#include <splinertia/group/detail/rotation.hpp>
 
 #include "golden_checks.hpp"
 

@@ -8,8 +8,8 @@
 /// roundings of such a size: one a step, which may all go the same way, and that of the angle that the attitude is made
 /// of. A rounding of every input, which float has, adds no more than the second.
 #include <chrono>
-#include <splinertia/strapdown/preintegrator.hpp>
-#include <splinertia/strapdown/zero_order_hold.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/zero_order_hold.hpp>
 
 #include "check_spline.hpp"
 #include "golden_checks.hpp"

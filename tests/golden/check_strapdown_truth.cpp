@@ -11,8 +11,8 @@
 /// with the sizes that attitude (1), velocity (|v₀| + ∫|f|dt + |g|t) and position have if nothing cancels: in double,
 /// with the thousands of samples that it takes, up to some 1e-11. float stops at its rounding.
 #include <splinertia/strapdown/integrator.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/runge_kutta4.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/runge_kutta4.hpp>
 
 #include "check_spline.hpp"
 #include "golden_checks.hpp"

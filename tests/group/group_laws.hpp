@@ -3,7 +3,7 @@
 ///
 /// The laws are written once, on tangents and coordinates as vectors of long double; AnyGroup<G> lends them the group.
 /// Tolerances are in units of eps of the group's scalar: each of exp, log, a product or an action of Ad rounds a unit
-/// quaternion or a vector of size L by up to 2 eps (group/rotation.hpp), and a law is a chain of two to six of those,
+/// quaternion or a vector of size L by up to 2 eps (group/detail/rotation.hpp), and a law is a chain of two to six of those,
 /// on elements of size 1 + L. Nothing is drawn from std::random_device or a std:: distribution: every run is the same.
 #pragma once
 

@@ -1,8 +1,22 @@
 # What the house asks of its headers, checked in the text: a room includes only itself and rooms above it, nothing but
-# the standard library, Eigen and (in one place) Sophus, a header is short enough to read in one sitting, and macros
-# min and max (windows.h) do no harm.
-set(rooms group motion spline imu strapdown allan camera io adapters)   # from top to bottom; adapters may use all
-set(longest 300)
+# the standard library, Eigen and (in one place) Sophus; a folder can be surveyed and a header read in one sitting; and
+# macros min and max (windows.h) do no harm.
+cmake_policy(VERSION 3.25)
+# From top to bottom; adapters may use all. A folder that is not listed belongs to the room that it is in.
+set(rooms detail group motion spline spline/fit random errors imu strapdown calibration evaluation allan io adapters)
+set(longest 300)      # lines of a header
+set(most_headers 20)  # of a folder
+
+# The room that a header is in and its place in the list: -1 for a header at the root.
+function(find_room header room_variable place_variable)
+  cmake_path(GET header PARENT_PATH folder)
+  while(folder AND NOT folder IN_LIST rooms)
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
+  list(FIND rooms "${folder}" place)
+  set(${room_variable} "${folder}" PARENT_SCOPE)
+  set(${place_variable} ${place} PARENT_SCOPE)
+endfunction()
 
 file(GLOB_RECURSE headers RELATIVE "${INCLUDE_DIR}/splinertia" "${INCLUDE_DIR}/splinertia/*.hpp")
 set(faults "")
@@ -11,18 +25,19 @@ if(NOT headers)
 endif()
 foreach(header IN LISTS headers)
   file(STRINGS "${INCLUDE_DIR}/splinertia/${header}" includes REGEX "^ *# *include")
-  cmake_path(GET header PARENT_PATH room)
-  string(REGEX REPLACE "/detail$" "" room "${room}")
-  list(FIND rooms "${room}" own_place)
+  cmake_path(GET header PARENT_PATH folder)
+  list(APPEND folders "${folder}")
+  find_room("${header}" room own_place)
+  if(folder AND own_place EQUAL -1)
+    list(APPEND faults "${header}: is in a room that is not on the plan")
+  endif()
   foreach(include IN LISTS includes)
     string(REGEX REPLACE ".*<(.*)>.*" "\\1" path "${include}")
     if(path MATCHES "\"")
       list(APPEND faults "${header}: ${include} should be <splinertia/...>")
-    elseif(path MATCHES "^splinertia/([^/]+)/")
-      list(FIND rooms "${CMAKE_MATCH_1}" place)
-      if(place EQUAL -1)
-        list(APPEND faults "${header}: ${include} is in a room that is not on the plan")
-      elseif(place GREATER own_place AND NOT header STREQUAL "splinertia.hpp")
+    elseif(path MATCHES "^splinertia/(.+/.+)")
+      find_room("${CMAKE_MATCH_1}" included_room place)
+      if(folder AND place GREATER own_place)
         list(APPEND faults "${header}: ${include} is in a room below its own")
       endif()
     elseif(path MATCHES "^sophus/" AND NOT header STREQUAL "group/sophus.hpp")
@@ -39,6 +54,17 @@ foreach(header IN LISTS headers)
   string(LENGTH "${newlines}" lines)
   if(lines GREATER longest)
     list(APPEND faults "${header}: ${lines} lines, ${longest} allowed")
+  endif()
+endforeach()
+
+set(counted ${folders})
+list(REMOVE_DUPLICATES counted)
+foreach(folder IN LISTS counted)
+  set(inside ${folders})
+  list(FILTER inside INCLUDE REGEX "^${folder}$")
+  list(LENGTH inside count)
+  if(count GREATER most_headers)
+    list(APPEND faults "${folder}: ${count} headers in one folder, ${most_headers} allowed")
   endif()
 endforeach()
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <splinertia/imu/clock_drift.hpp>
-#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/clock/clock_drift.hpp>
+#include <splinertia/errors/clock/dropped_samples.hpp>
+#include <splinertia/errors/noise/quantization_noise.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/describe.hpp>
-#include <splinertia/imu/dropped_samples.hpp>
-#include <splinertia/imu/quantization_noise.hpp>
-#include <splinertia/imu/random_walk.hpp>
-#include <splinertia/imu/white_noise.hpp>
 
 #include "support/catch.hpp"
 

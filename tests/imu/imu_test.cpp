@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
-#include <splinertia/imu/clock_offset.hpp>
-#include <splinertia/imu/constant_bias.hpp>
+#include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/clock/clock_offset.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/imu.hpp>
-#include <splinertia/imu/white_noise.hpp>
 #include <type_traits>
 
 #include "support/catch.hpp"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <limits>
 #include <random>
+#include <splinertia/errors/clock/stamp_jitter.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/simulate.hpp>
-#include <splinertia/imu/stamp_jitter.hpp>
-#include <splinertia/imu/white_noise.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <stdexcept>

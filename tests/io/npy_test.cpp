@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <limits>
-#include <splinertia/io/little_endian.hpp>
+#include <splinertia/io/detail/little_endian.hpp>
 #include <splinertia/io/npy.hpp>
 #include <stdexcept>
 #include <string>

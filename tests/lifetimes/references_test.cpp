@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What keeps a reference takes no temporary.
+#include <splinertia/calibration/inertial_fit.hpp>
 #include <splinertia/splinertia.hpp>
-#include <splinertia/strapdown/inertial_fit.hpp>
 #include <type_traits>
 #include <utility>
 #include <vector>

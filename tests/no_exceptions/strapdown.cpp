@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An estimator's loop for a small processor.
 #include <splinertia/strapdown/integrator.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 
 using namespace splinertia;
 

@@ -2,9 +2,9 @@
 // docs/own_group.md: what is done with curves on a group of one's own.
 #include <cmath>
 #include <splinertia/group/with_scalar.hpp>
-#include <splinertia/spline/adaptive_fit.hpp>
-#include <splinertia/spline/fit.hpp>
-#include <splinertia/spline/interpolate.hpp>
+#include <splinertia/spline/fit/adaptive_fit.hpp>
+#include <splinertia/spline/fit/fit.hpp>
+#include <splinertia/spline/fit/interpolate.hpp>
 #include <splinertia/spline/parameter_blocks.hpp>
 #include <splinertia/spline/sample.hpp>
 #include <vector>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Integrating allocates nothing: counted in operator new, and refused by Eigen.
 #define EIGEN_RUNTIME_NO_MALLOC
-#include <splinertia/strapdown/coning_sculling.hpp>
-#include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/rotating_frame.hpp>
-#include <splinertia/strapdown/runge_kutta4.hpp>
-#include <splinertia/strapdown/trapezoid.hpp>
-#include <splinertia/strapdown/zero_order_hold.hpp>
+#include <splinertia/strapdown/schemes/coning_sculling.hpp>
+#include <splinertia/strapdown/schemes/euler.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
+#include <splinertia/strapdown/schemes/runge_kutta4.hpp>
+#include <splinertia/strapdown/schemes/trapezoid.hpp>
+#include <splinertia/strapdown/schemes/zero_order_hold.hpp>
 
-#include "strapdown/convergence.hpp"
+#include "strapdown/schemes/convergence.hpp"
 #include "support/allocations.hpp"
 #include "support/catch.hpp"
 

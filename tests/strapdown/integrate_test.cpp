@@ -3,18 +3,18 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/imu/simulate.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
-#include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/rotating_frame.hpp>
-#include <splinertia/strapdown/runge_kutta4.hpp>
-#include <splinertia/strapdown/trapezoid.hpp>
+#include <splinertia/strapdown/schemes/euler.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
+#include <splinertia/strapdown/schemes/runge_kutta4.hpp>
+#include <splinertia/strapdown/schemes/trapezoid.hpp>
 
 #include "support/catch.hpp"
 #include "support/random_group.hpp"

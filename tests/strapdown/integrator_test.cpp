@@ -2,17 +2,17 @@
 #include <chrono>
 #include <cmath>
 #include <splinertia/motion/ellipse.hpp>
-#include <splinertia/strapdown/coning_sculling.hpp>
-#include <splinertia/strapdown/euler.hpp>
 #include <splinertia/strapdown/integrator.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/runge_kutta4.hpp>
-#include <splinertia/strapdown/trapezoid.hpp>
-#include <splinertia/strapdown/zero_order_hold.hpp>
+#include <splinertia/strapdown/schemes/coning_sculling.hpp>
+#include <splinertia/strapdown/schemes/euler.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
+#include <splinertia/strapdown/schemes/runge_kutta4.hpp>
+#include <splinertia/strapdown/schemes/trapezoid.hpp>
+#include <splinertia/strapdown/schemes/zero_order_hold.hpp>
 #include <vector>
 
-#include "strapdown/convergence.hpp"
+#include "strapdown/schemes/convergence.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <splinertia/group/rotation.hpp>
-#include <splinertia/strapdown/galilean.hpp>
+#include <splinertia/group/detail/rotation.hpp>
+#include <splinertia/strapdown/detail/galilean.hpp>
 
 namespace splinertia::testing {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/magnus4.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
 #include <splinertia/strapdown/rotating_frame.hpp>
+#include <splinertia/strapdown/schemes/magnus4.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <vector>
 
-#include "strapdown/convergence.hpp"
+#include "strapdown/schemes/convergence.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia;

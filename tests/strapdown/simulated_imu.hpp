@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cmath>
+#include <splinertia/calibration/imu_calibration.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/imu/normal.hpp>
-#include <splinertia/imu/random_stream.hpp>
-#include <splinertia/strapdown/imu_calibration.hpp>
+#include <splinertia/random/normal.hpp>
+#include <splinertia/random/random_stream.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
 #include <vector>
 

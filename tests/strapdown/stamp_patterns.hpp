@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "strapdown/convergence.hpp"
+#include "strapdown/schemes/convergence.hpp"
 
 namespace splinertia::testing {
 

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <optional>
-#include <splinertia/message.hpp>
-#include <splinertia/spline/adaptive_fit.hpp>
-#include <splinertia/spline/choose_knots.hpp>
-#include <splinertia/spline/fit.hpp>
-#include <splinertia/spline/interpolate.hpp>
-#include <splinertia/spline/knot_choice.hpp>
-#include <splinertia/strapdown/inertial_fit.hpp>
+#include <splinertia/calibration/inertial_fit.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/spline/fit/adaptive_fit.hpp>
+#include <splinertia/spline/fit/choose_knots.hpp>
+#include <splinertia/spline/fit/fit.hpp>
+#include <splinertia/spline/fit/interpolate.hpp>
+#include <splinertia/spline/fit/knot_choice.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>

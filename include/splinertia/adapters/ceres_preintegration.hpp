@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <splinertia/adapters/ceres_manifold.hpp>
-#include <splinertia/refuse.hpp>
-#include <splinertia/strapdown/imu_covariance.hpp>
-#include <splinertia/strapdown/preintegration_residual.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/preintegration_residual.hpp>
 #include <stdexcept>
 
 namespace splinertia {

@@ -11,13 +11,13 @@
 #include <optional>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/deviation_misfit.hpp>
-#include <splinertia/allan/freezes.hpp>
 #include <splinertia/allan/identify.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
-#include <splinertia/allan/resolution.hpp>
-#include <splinertia/allan/saturation.hpp>
-#include <splinertia/allan/steps.hpp>
-#include <splinertia/allan/stillness.hpp>
+#include <splinertia/allan/record/freezes.hpp>
+#include <splinertia/allan/record/resolution.hpp>
+#include <splinertia/allan/record/saturation.hpp>
+#include <splinertia/allan/record/steps.hpp>
+#include <splinertia/allan/record/stillness.hpp>
 #include <vector>
 
 namespace splinertia::allan {

@@ -10,14 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <splinertia/allan/averaging_factors.hpp>
-#include <splinertia/allan/chi_square.hpp>
-#include <splinertia/allan/degrees_of_freedom.hpp>
+#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/detail/chi_square.hpp>
+#include <splinertia/allan/detail/degrees_of_freedom.hpp>
+#include <splinertia/allan/detail/total_degrees_of_freedom.hpp>
 #include <splinertia/allan/deviations.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_type.hpp>
-#include <splinertia/allan/total_degrees_of_freedom.hpp>
 #include <string>
 #include <vector>
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <splinertia/allan/chi_square_deviation.hpp>
 #include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/detail/chi_square_deviation.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <vector>

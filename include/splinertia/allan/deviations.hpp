@@ -8,8 +8,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <splinertia/allan/averaging_factors.hpp>
-#include <splinertia/allan/difference_sums.hpp>
+#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/detail/difference_sums.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <string_view>
 #include <vector>

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <splinertia/allan/chi_square.hpp>
-#include <splinertia/require.hpp>
+#include <splinertia/allan/detail/chi_square.hpp>
+#include <splinertia/detail/require.hpp>
 #include <type_traits>
 
 namespace splinertia::allan {

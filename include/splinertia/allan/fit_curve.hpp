@@ -8,13 +8,13 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <splinertia/allan/chi_square.hpp>
 #include <splinertia/allan/curve.hpp>
+#include <splinertia/allan/detail/chi_square.hpp>
+#include <splinertia/allan/detail/non_negative_solution.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
-#include <splinertia/allan/non_negative_solution.hpp>
-#include <splinertia/refuse.hpp>
-#include <splinertia/require.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/require.hpp>
 #include <stdexcept>
 
 namespace splinertia::allan {

@@ -10,10 +10,10 @@
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <splinertia/allan/compensated_sum.hpp>
-#include <splinertia/finite.hpp>
-#include <splinertia/refuse.hpp>
-#include <splinertia/require.hpp>
+#include <splinertia/allan/detail/compensated_sum.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/require.hpp>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>

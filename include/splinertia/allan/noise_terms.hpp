@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <splinertia/imu/noise_densities.hpp>
+#include <splinertia/errors/noise_densities.hpp>
 #include <string_view>
 
 namespace splinertia::allan {

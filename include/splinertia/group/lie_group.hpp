@@ -8,7 +8,7 @@
 /// Notation as in Solà, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", arXiv:1812.01537.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <Eigen/Core>
 #include <concepts>

@@ -11,9 +11,9 @@
 #pragma once
 
 #include <concepts>
+#include <splinertia/group/detail/planar_motion.hpp>
+#include <splinertia/group/detail/rotation.hpp>
 #include <splinertia/group/known_groups.hpp>
-#include <splinertia/group/planar_motion.hpp>
-#include <splinertia/group/rotation.hpp>
 #include <utility>
 
 namespace splinertia {

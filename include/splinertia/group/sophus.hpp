@@ -7,9 +7,9 @@
 
 #include <sophus/se2.hpp>
 #include <sophus/se3.hpp>
-#include <splinertia/group/planar_motion.hpp>
-#include <splinertia/group/rigid_motion.hpp>
-#include <splinertia/group/rotation.hpp>
+#include <splinertia/group/detail/planar_motion.hpp>
+#include <splinertia/group/detail/rigid_motion.hpp>
+#include <splinertia/group/detail/rotation.hpp>
 
 namespace splinertia {
 

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <splinertia/detail/lanes.hpp>
 #include <splinertia/group/parameters.hpp>
-#include <splinertia/lanes.hpp>
 
 namespace splinertia {
 

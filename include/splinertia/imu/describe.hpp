@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <concepts>
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/errors/error_model.hpp>
+#include <splinertia/errors/per_axis.hpp>
 #include <splinertia/imu/imu.hpp>
-#include <splinertia/imu/per_axis.hpp>
-#include <splinertia/message.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>

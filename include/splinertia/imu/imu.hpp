@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/errors/error_model.hpp>
 #include <splinertia/group/lie_group.hpp>
-#include <splinertia/imu/error_model.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia {

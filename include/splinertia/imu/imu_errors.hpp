@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/errors/clock/stamp.hpp>
 #include <splinertia/imu/imu.hpp>
-#include <splinertia/imu/stamp.hpp>
-#include <splinertia/require.hpp>
 #include <splinertia/time.hpp>
 #include <type_traits>
 #include <utility>

@@ -11,15 +11,15 @@
 /// it.
 #pragma once
 
-#include <splinertia/imu/bias_instability.hpp>
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/bias/turn_on_bias.hpp>
+#include <splinertia/errors/error_model.hpp>
+#include <splinertia/errors/noise/bias_instability.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
+#include <splinertia/errors/noise_densities.hpp>
+#include <splinertia/errors/output/quantization.hpp>
+#include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/imu/imu.hpp>
-#include <splinertia/imu/noise_densities.hpp>
-#include <splinertia/imu/quantization.hpp>
-#include <splinertia/imu/random_walk.hpp>
-#include <splinertia/imu/saturation.hpp>
-#include <splinertia/imu/turn_on_bias.hpp>
-#include <splinertia/imu/white_noise.hpp>
 #include <splinertia/units.hpp>
 
 namespace splinertia::presets {

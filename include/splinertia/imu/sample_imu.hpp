@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <splinertia/fixed_array.hpp>
+#include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/sample_rows.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/motion/trajectory.hpp>
-#include <splinertia/sample_rows.hpp>
-#include <splinertia/spline/lane_samples.hpp>
+#include <splinertia/spline/detail/lane_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
 #include <utility>
 
@@ -100,7 +100,7 @@ void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std:
 
 /// What a perfect IMU at the body's origin measures along a curve at `count` times from `start` on, `interval` apart,
 /// and the poses there: as ideal_imu() of evaluate<2>() at each of them gives, but several at once and several times as
-/// fast (spline/lane_samples.hpp). `gravity`: acceleration of free fall in the world, m/s². Throws
+/// fast (spline/detail/lane_samples.hpp). `gravity`: acceleration of free fall in the world, m/s². Throws
 /// std::invalid_argument for an interval that is not positive, std::out_of_range for times that the curve is not
 /// defined at; the last may be behind its end by rounding.
 template <typename C>

@@ -10,8 +10,8 @@
 #include <ranges>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/detail/quaternion_track.hpp>
 #include <splinertia/io/file_set.hpp>
-#include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
 #include <splinertia/io/table_layout.hpp>

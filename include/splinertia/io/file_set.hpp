@@ -2,14 +2,14 @@
 /// Files that belong together, such as those of one run of a program.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/detail/pending_file.hpp>
 #include <splinertia/io/write_error.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>

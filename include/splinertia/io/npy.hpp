@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/detail/input_file.hpp>
 #include <splinertia/io/file_set.hpp>
-#include <splinertia/io/input_file.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

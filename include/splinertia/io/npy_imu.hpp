@@ -12,13 +12,13 @@
 #include <filesystem>
 #include <optional>
 #include <ranges>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/io/detail/little_endian.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/file_set.hpp>
-#include <splinertia/io/little_endian.hpp>
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>

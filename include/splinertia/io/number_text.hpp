@@ -4,7 +4,7 @@
 
 #include <charconv>
 #include <cstdint>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
 #include <splinertia/io/detail/short_decimal.hpp>
 #include <string_view>
 #include <system_error>

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <optional>
 #include <span>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

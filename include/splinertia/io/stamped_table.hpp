@@ -11,11 +11,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
 #include <splinertia/io/text_file.hpp>
-#include <splinertia/message.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>

@@ -8,13 +8,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <splinertia/finite.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/table_layout.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>

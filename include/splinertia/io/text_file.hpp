@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/io/detail/input_file.hpp>
 #include <splinertia/io/detail/short_decimal.hpp>
-#include <splinertia/io/input_file.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

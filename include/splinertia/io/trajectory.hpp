@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/io/detail/trajectory_columns.hpp>
@@ -19,7 +20,6 @@
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string>

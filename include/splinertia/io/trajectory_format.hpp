@@ -2,7 +2,7 @@
 /// How the text of a trajectory file is to be read.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <array>
 #include <cstddef>

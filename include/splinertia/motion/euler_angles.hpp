@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <splinertia/group/rotation.hpp>
+#include <splinertia/group/detail/rotation.hpp>
 
 namespace splinertia {
 

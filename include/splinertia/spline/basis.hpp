@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <splinertia/fixed_array.hpp>
-#include <splinertia/group/stumpff.hpp>
+#include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/group/detail/stumpff.hpp>
 #include <utility>
 
 namespace splinertia {

@@ -12,11 +12,11 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <splinertia/fixed_array.hpp>
+#include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/refuse.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
-#include <splinertia/refuse.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <stdexcept>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <limits>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/refuse.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>

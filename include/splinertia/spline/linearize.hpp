@@ -10,8 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <splinertia/fixed_array.hpp>
-#include <splinertia/flatten.hpp>
+#include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/flatten.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>

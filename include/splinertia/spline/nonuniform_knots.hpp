@@ -6,11 +6,11 @@
 #include <cassert>
 #include <cstddef>
 #include <span>
-#include <splinertia/finite.hpp>
-#include <splinertia/lanes.hpp>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/spline/detail/nonuniform_basis.hpp>
 #include <splinertia/spline/knots.hpp>
-#include <splinertia/spline/nonuniform_basis.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <utility>

@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cstddef>
-#include <splinertia/fixed_array.hpp>
+#include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/sample_rows.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/motion/trajectory.hpp>
-#include <splinertia/sample_rows.hpp>
-#include <splinertia/spline/lane_samples.hpp>
+#include <splinertia/spline/detail/lane_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
 #include <utility>
 #include <vector>
@@ -141,7 +141,7 @@ void sample(const C& curve, const SampleTimes<typename C::Time>& times, std::siz
 }
 
 /// Value and first D derivatives of a curve at `count` times from `start` on, `interval` apart: as evaluate<D>() at
-/// each of them gives, but several at once and several times as fast (spline/lane_samples.hpp; other curves than
+/// each of them gives, but several at once and several times as fast (spline/detail/lane_samples.hpp; other curves than
 /// LaneCurves are evaluated one by one). Throws std::invalid_argument for an interval that is not positive,
 /// std::out_of_range for times that the curve is not defined at; the last may be behind its end by rounding.
 template <int D, typename C>

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <splinertia/finite.hpp>
-#include <splinertia/lanes.hpp>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/refuse.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 

@@ -6,9 +6,9 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <splinertia/finite.hpp>
-#include <splinertia/flatten.hpp>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/flatten.hpp>
+#include <splinertia/detail/refuse.hpp>
 #include <splinertia/spline/evaluate.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/spline/linearize.hpp>

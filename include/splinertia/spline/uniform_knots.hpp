@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <splinertia/finite.hpp>
-#include <splinertia/group/stumpff.hpp>
-#include <splinertia/lanes.hpp>
-#include <splinertia/refuse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/group/detail/stumpff.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/time.hpp>

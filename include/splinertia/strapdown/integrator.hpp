@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
-#include <splinertia/require.hpp>
-#include <splinertia/strapdown/integration_scheme.hpp>
+#include <splinertia/strapdown/detail/sample_window.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
-#include <splinertia/strapdown/sample_window.hpp>
-#include <splinertia/strapdown/scheme.hpp>
+#include <splinertia/strapdown/schemes/integration_scheme.hpp>
+#include <splinertia/strapdown/schemes/scheme.hpp>
 
 namespace splinertia {
 

@@ -3,7 +3,7 @@
 
 #include <splinertia/group/pose.hpp>
 #include <splinertia/motion/kinematics.hpp>
-#include <splinertia/strapdown/galilean.hpp>
+#include <splinertia/strapdown/detail/galilean.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia {

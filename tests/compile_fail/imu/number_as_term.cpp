@@ -1,4 +1,4 @@
 // expect: an error term needs a State
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 const ErrorModel model{0.015};

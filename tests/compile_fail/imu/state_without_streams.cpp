@@ -1,5 +1,5 @@
 // expect: the State of an error term needs a constructor
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   static constexpr std::string_view name = "bad";

@@ -1,5 +1,5 @@
 // expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   struct State {};

@@ -1,5 +1,5 @@
 // expect: an error term needs a State: .*static constexpr std::string_view name
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   template <typename Normals>

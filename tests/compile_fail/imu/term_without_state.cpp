@@ -1,5 +1,5 @@
 // expect: an error term needs a State: write .struct State \{\};
-#include <splinertia/imu/error_model.hpp>
+#include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   void apply(Sample<double>& sample, auto&) const { sample.value.setZero(); }

@@ -1,7 +1,7 @@
 // expect: this scheme takes point samples: structs with time, gyro
 // SPDX-License-Identifier: MIT
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/preintegrator.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 
 using namespace splinertia;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <splinertia/strapdown/integrator.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 
 using namespace splinertia;
 

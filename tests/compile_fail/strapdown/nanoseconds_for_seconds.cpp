@@ -1,8 +1,8 @@
 // expect: the time of these samples is not of the type that this integrates over
 // SPDX-License-Identifier: MIT
 #include <chrono>
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/preintegrator.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 
 using namespace splinertia;
 

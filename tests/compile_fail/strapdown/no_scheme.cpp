@@ -1,9 +1,9 @@
 // expect: IntegrationScheme
 // SPDX-License-Identifier: MIT
-#include <splinertia/strapdown/coning_sculling.hpp>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/midpoint.hpp>
-#include <splinertia/strapdown/preintegrator.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <splinertia/strapdown/schemes/coning_sculling.hpp>
+#include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <vector>
 
 using namespace splinertia;

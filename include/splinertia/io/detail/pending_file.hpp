@@ -2,15 +2,15 @@
 /// A file that nobody sees until it is complete.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <random>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/io/write_error.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

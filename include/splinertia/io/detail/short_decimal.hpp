@@ -2,7 +2,7 @@
 /// Decimal numbers as programs write them, in integer arithmetic: twice as fast as std::from_chars of libstdc++.
 #pragma once
 
-#include <splinertia/cpp20.hpp>
+#include <splinertia/detail/cpp20.hpp>
 
 #include <algorithm>
 #include <array>

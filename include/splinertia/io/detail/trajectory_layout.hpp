@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/detail/trajectory_columns.hpp>
 #include <splinertia/io/detail/trajectory_head.hpp>
@@ -17,7 +18,6 @@
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -11,15 +11,15 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/io/detail/quaternion_track.hpp>
 #include <splinertia/io/detail/trajectory_columns.hpp>
 #include <splinertia/io/detail/trajectory_head.hpp>
 #include <splinertia/io/detail/trajectory_layout.hpp>
 #include <splinertia/io/number_text.hpp>
-#include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>

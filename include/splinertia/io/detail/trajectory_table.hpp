@@ -10,15 +10,15 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <splinertia/detail/message.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/io/detail/quaternion_track.hpp>
 #include <splinertia/io/detail/trajectory_columns.hpp>
 #include <splinertia/io/detail/trajectory_layout.hpp>
 #include <splinertia/io/detail/trajectory_row.hpp>
 #include <splinertia/io/detail/trajectory_stamps.hpp>
-#include <splinertia/io/quaternion_track.hpp>
 #include <splinertia/io/trajectory_format.hpp>
-#include <splinertia/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>

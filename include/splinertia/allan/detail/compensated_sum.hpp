@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/detail/cpp20.hpp>
+
+#include <concepts>
+
+namespace splinertia::allan {
+
+/// x as it is written, not what algebra makes of it: -ffast-math would find that (a + b) − a is b. clang is told by a
+/// pragma where it is used; g++ knows a way since version 12.
+template <typename Scalar>
+[[nodiscard]] constexpr Scalar as_written(Scalar x) {
+#if __has_builtin(__builtin_assoc_barrier)
+  if constexpr (std::floating_point<Scalar>) return __builtin_assoc_barrier(x);
+#elif (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(__clang__)
+#warning "-ffast-math takes the compensation out of this compiler's sums: Allan deviations lose digits"
+#endif
+  return x;
+}
+
+/// A sum whose rounding error does not grow with the number of summands: each addition's error is found exactly
+/// (Knuth's TwoSum) and added up on the side (Neumaier, ZAMM 54 (1974)). |error| ≤ eps·|sum| + (n·eps)²·Σ|x|, of which
+/// the second part is beyond double for any n that fits in memory.
+template <typename Scalar>
+class CompensatedSum {
+ public:
+  constexpr void add(Scalar x) {
+#if defined(__clang__)
+#pragma clang fp reassociate(off)
+#endif
+    const Scalar sum = as_written(sum_ + x);
+    const Scalar x_seen = as_written(sum - sum_);
+    lost_ += as_written(sum_ - as_written(sum - x_seen)) + as_written(x - x_seen);
+    sum_ = sum;
+  }
+
+  [[nodiscard]] constexpr Scalar value() const { return sum_ + lost_; }
+
+ private:
+  Scalar sum_{0};
+  Scalar lost_{0};
+};
+
+}  // namespace splinertia::allan

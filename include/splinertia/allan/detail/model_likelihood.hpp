@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/interval.hpp>
+#include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/finite.hpp>
+
+namespace splinertia::allan {
+
+/// The most likely model of a set of terms: SpectralFit, and over that the times of a Gauss–Markov bias and a warm-up.
+template <typename Scalar>
+class ModelLikelihood {
+ public:
+  using Fit = SpectralFit<Scalar>;
+  using Result = typename Fit::Result;
+  using Times = typename Fit::Times;
+  using Fixed = typename Fit::Fixed;
+
+  explicit ModelLikelihood(std::reference_wrapper<const Fit> fit) : fit_(fit) {
+    const auto& spectrum = fit_.spectrum();
+    const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
+    // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
+    correlation_ = {(std::max)(Scalar(32), samples / 10000) / rate, (std::max)(Scalar(64), samples / 4) / rate};
+    decay_ = {(std::max)(Scalar(32), samples / 200) / rate, (std::max)(Scalar(64), 8 * samples) / rate};
+  }
+
+  /// From scratch, or as far as a model with fewer terms leads as well: more terms are never less likely.
+  [[nodiscard]] Result maximise(NoiseTerms terms, const Result* simpler = nullptr) const {
+    Result best = search(terms);
+    if (simpler != nullptr) {
+      Result other = maximum_near(terms, *simpler);
+      if (other.objective < best.objective) best = std::move(other);
+    }
+    return best;
+  }
+
+  /// From one that is all but it. `fixed` gives what is held at some times (Fixed, or nothing).
+  template <typename FixedAt>
+  [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start, const FixedAt& fixed) const {
+    const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
+    Times times = start.times;
+    if (!decaying) times.decay = infinity;
+    if (decaying && !is_finite(times.decay)) times.decay = decay_.upper;
+    if (correlated && !(times.correlation > 0)) times.correlation = correlation_.upper;
+    Result best = fit_.maximise(terms, times, fixed(times), &start.theta);
+    for (int round = 0; round < (correlated && decaying ? 2 : 1); ++round) {
+      if (correlated) refine(terms, fixed, best, &Times::correlation, correlation_);
+      if (decaying) refine(terms, fixed, best, &Times::decay, decay_);
+    }
+    return best;
+  }
+
+  [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start) const {
+    return maximum_near(terms, start, [](const Times&) { return std::optional<Fixed>(); });
+  }
+
+  /// The most likely model with these times.
+  [[nodiscard]] Result at(NoiseTerms terms, const Times& times, const Result& start) const {
+    return fit_.maximise(terms, times, {}, &start.theta);
+  }
+
+  [[nodiscard]] const Fit& fit() const { return fit_; }
+  [[nodiscard]] const Interval<Scalar>& correlation_times() const { return correlation_; }
+  [[nodiscard]] const Interval<Scalar>& decay_times() const { return decay_; }
+
+ private:
+  static constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+
+  [[nodiscard]] Result search(NoiseTerms terms) const {
+    const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
+    if (!correlated && !decaying) return fit_.maximise(terms);
+    const Scalar factor = correlated && decaying ? Scalar(4) : Scalar(2);
+    const Scalar coarse = Scalar(1) / 100;
+    Result best;
+    for (Scalar decay = decaying ? decay_.lower : infinity;; decay *= factor) {
+      Result last;
+      for (Scalar correlation = correlated ? correlation_.lower : Scalar(0);; correlation *= factor) {
+        last = fit_.maximise(terms, {correlation, decay}, {}, last.slopes.empty() ? nullptr : &last.theta, coarse);
+        if (last.objective < best.objective) best = last;
+        if (!correlated || correlation * factor > correlation_.upper) break;
+      }
+      if (!decaying || decay * factor > decay_.upper) break;
+    }
+    return maximum_near(terms, best);
+  }
+
+  /// Moves one time to where the likelihood is largest: steps of a third until it falls, then a parabola through three.
+  template <typename FixedAt>
+  void refine(NoiseTerms terms, const FixedAt& fixed, Result& best, Scalar Times::*time,
+              const Interval<Scalar>& range) const {
+    const auto at = [&](Scalar value) {
+      Times times = best.times;
+      times.*time = std::clamp(value, range.lower, range.upper);
+      return fit_.maximise(terms, times, fixed(times), &best.theta);
+    };
+    Scalar width = Scalar(4) / 3;
+    Result shorter = at(best.times.*time / width), longer = at(best.times.*time * width);
+    for (int i = 0; i < 24 && (std::min)(shorter.objective, longer.objective) < best.objective; ++i) {
+      const bool up = longer.objective < shorter.objective;
+      Result& behind = up ? shorter : longer;
+      Result& ahead = up ? longer : shorter;
+      behind = std::move(best);
+      best = ahead;
+      ahead = at(up ? best.times.*time * width : best.times.*time / width);
+    }
+    for (int i = 0; i < 2; ++i) {
+      const Scalar left = shorter.objective - best.objective, right = longer.objective - best.objective;
+      const Scalar x0 = std::log(shorter.times.*time / (best.times.*time)),
+                   x1 = std::log(longer.times.*time / (best.times.*time));
+      if (!(x0 < 0) || !(x1 > 0) || !(left + right > Scalar(1e-6))) return;
+      const Scalar vertex = (left * x1 * x1 - right * x0 * x0) / (2 * (left * x1 - right * x0));
+      if (!(vertex > x0) || !(vertex < x1)) return;
+      Result middle = at(best.times.*time * std::exp(vertex));
+      if (middle.objective >= best.objective) return;
+      (vertex < 0 ? longer : shorter) = std::move(best);
+      best = std::move(middle);
+    }
+  }
+
+  const Fit& fit_;
+  Interval<Scalar> correlation_, decay_;
+};
+
+}  // namespace splinertia::allan

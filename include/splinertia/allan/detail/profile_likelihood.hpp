@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <splinertia/allan/detail/chi_square.hpp>
+#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/interval.hpp>
+#include <splinertia/allan/noise_terms.hpp>
+#include <utility>
+
+namespace splinertia::allan {
+
+/// Likelihood intervals of one description of a log: where −2·log-likelihood, all else at its best, is `drop` higher
+/// than at its least. They have their level whatever function of a parameter is looked at (Wilks).
+template <typename Scalar>
+class ProfileLikelihood {
+ public:
+  using Likelihood = ModelLikelihood<Scalar>;
+  using Result = typename Likelihood::Result;
+  using Fixed = typename Likelihood::Fixed;
+  using Times = typename Likelihood::Times;
+
+  ProfileLikelihood(std::reference_wrapper<const Likelihood> likelihood, NoiseTerms terms, Result best)
+      : likelihood_(likelihood), terms_(terms), best_(std::move(best)) {}
+
+  /// Of √θ of a term with a place in θ.
+  [[nodiscard]] Interval<Scalar> root(NoiseTerm term, Scalar confidence) const {
+    const Scalar centre = std::sqrt(best_.theta[Likelihood::Fit::place(term)]);
+    const auto held = [term](Scalar root) {
+      return [term, root](const Times&) { return std::optional<Fixed>({term, root * root}); };
+    };
+    return interval(centre, confidence, held);
+  }
+
+  /// Of σ·√(2/rate) of a Gauss–Markov bias of standard deviation σ, in √s: 2σ²/rate is the correlation time times θ.
+  [[nodiscard]] Interval<Scalar> gauss_markov_root(Scalar confidence) const {
+    const Scalar centre =
+        std::sqrt(best_.theta[Likelihood::Fit::place(NoiseTerm::gauss_markov)] * best_.times.correlation);
+    const auto held = [](Scalar root) {
+      return [root](const Times& times) {
+        return std::optional<Fixed>({NoiseTerm::gauss_markov, root * root / times.correlation});
+      };
+    };
+    return interval(centre, confidence, held);
+  }
+
+  /// Of one of the times, on a logarithmic scale, within its range.
+  [[nodiscard]] Interval<Scalar> time(Scalar Times::*time, const Interval<Scalar>& range, Scalar confidence) const {
+    const Scalar drop = chi_square_quantile(confidence, Scalar(1));
+    const auto end = [&](Scalar limit) {
+      Result start = best_;
+      const auto excess = [&](Scalar value) {
+        Times times = best_.times;
+        times.*time = std::exp(value);
+        start = likelihood_.at(terms_, times, start);
+        return start.objective - best_.objective;
+      };
+      const Scalar centre = std::log(best_.times.*time), last = std::log(limit);
+      if (excess(last) <= drop) return limit;
+      start = best_;
+      return std::exp(crossing(excess, centre, last, drop));
+    };
+    return {end(range.lower), end(range.upper)};
+  }
+
+ private:
+  template <typename Held>
+  [[nodiscard]] Interval<Scalar> interval(Scalar centre, Scalar confidence, const Held& held) const {
+    const Scalar drop = chi_square_quantile(confidence, Scalar(1));
+    // The squared relative error e² of the root is that of a scale known from 1/(2e²) squares. Of few, the ratio of
+    // likelihoods is larger than of many by 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
+    const Scalar share = centre > 0 ? end(centre, held, Scalar(1), true) / centre - 1 : Scalar(1);
+    const Scalar error = (std::min)(share * share, Scalar(1) / 2);
+    const Scalar corrected = drop * (1 + 2 * error / 3);
+    return {end(centre, held, corrected, false), end(centre, held, corrected, true)};
+  }
+
+  template <typename Held>
+  [[nodiscard]] Scalar end(Scalar centre, const Held& held, Scalar drop, bool above) const {
+    Result start = best_;
+    const auto excess = [&](Scalar root) {
+      start = likelihood_.maximum_near(terms_, start, held(root));
+      return start.objective - best_.objective;
+    };
+    Scalar outside = 0;
+    if (above) {
+      // A first step that is some share of what all the power could be.
+      const Scalar whole = std::sqrt((std::max)(best_.theta.sum(), Likelihood::Fit::floor()));
+      Scalar reach = (std::max)(centre / 8, whole / 1'000'000);
+      Scalar inside = centre;
+      outside = centre + reach;
+      while (excess(outside) < drop) {
+        inside = outside;
+        reach *= 2;
+        outside = centre + reach;
+      }
+      return crossing(excess, inside, outside, drop);
+    }
+    if (excess(Scalar(0)) <= drop) return Scalar(0);
+    start = best_;
+    return crossing(excess, centre, outside, drop);
+  }
+
+  /// Where an excess that is below `drop` inside and above it outside crosses it. Its root is all but linear:
+  /// regula falsi (Illinois), with a bisection where that is slow, to 1e-5 of the distance.
+  template <typename Excess>
+  [[nodiscard]] static Scalar crossing(const Excess& excess, Scalar inside, Scalar outside, Scalar drop) {
+    const Scalar goal = std::sqrt(drop);
+    const auto off = [&](Scalar value) { return std::sqrt((std::max)(excess(value), Scalar(0))) - goal; };
+    const Scalar centre = inside;
+    Scalar below = off(inside), above = off(outside);
+    if (!(below < 0)) return inside;
+    if (!(above > 0)) return outside;
+    int side = 0;
+    for (int i = 0; i < 40; ++i) {
+      const Scalar width = outside - inside;
+      if (std::abs(width) <= std::abs(inside - centre) * Scalar(1e-5)) break;
+      const bool halve = i % 4 == 3;
+      const Scalar middle = halve ? inside + width / 2 : inside - width * below / (above - below);
+      const Scalar there = off(middle);
+      if (std::abs(there) < goal * Scalar(1e-6)) return middle;
+      if (there < 0) {
+        inside = middle;
+        below = there;
+        if (side < 0) above /= 2;
+        side = -1;
+      } else {
+        outside = middle;
+        above = there;
+        if (side > 0) below /= 2;
+        side = 1;
+      }
+    }
+    return (inside + outside) / 2;
+  }
+
+  const Likelihood& likelihood_;
+  NoiseTerms terms_;
+  Result best_;
+};
+
+}  // namespace splinertia::allan

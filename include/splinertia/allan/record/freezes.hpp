@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <splinertia/allan/integrated_signal.hpp>
+#include <splinertia/allan/record/sample_span.hpp>
+#include <vector>
+
+namespace splinertia::allan {
+
+/// Whether all samples have the same value: a dead axis, which IntegratedSignal refuses. True for no samples.
+template <Signal S>
+[[nodiscard]] bool is_constant(const S& signal) {
+  const auto begin = std::begin(signal), end = std::end(signal);
+  return std::all_of(begin, end, [&](const auto& value) { return value == *begin; });
+}
+
+/// Runs of equal values in a signal.
+struct EqualRuns {
+  std::int64_t count = 0;          ///< of all runs, those of one sample included
+  std::vector<SampleSpan> longer;  ///< those that are long enough to matter, in order
+};
+
+/// The runs of a signal; those of at least `least` samples are listed.
+template <Signal S>
+[[nodiscard]] EqualRuns find_equal_runs(const S& signal, std::int64_t least) {
+  EqualRuns result;
+  SampleSpan run{0, 0};
+  const auto close = [&] {
+    ++result.count;
+    if (run.size() >= least) result.longer.push_back(run);
+    run.begin = run.end;
+  };
+  const auto end = std::end(signal);
+  for (auto value = std::begin(signal), last = value; value != end; last = value, ++value, ++run.end) {
+    if (*value != *last) close();
+  }
+  if (run.size() > 0) close();
+  return result;
+}
+
+/// The spans in which a signal does not change at all although it usually does, in order: a sensor or a driver that
+/// hangs. Runs of equal values are compared with the others of this signal. A freeze has at least 50 samples and four
+/// times as many as the longest run that is not a freeze. For each freeze there are at least twenty other runs. So a
+/// coarse resolution, and samples that are held for several intervals, are taken for what they are.
+///
+/// Shortest freeze found in white noise of standard deviation σ (1200 s at 100 Hz): 50 samples; with a resolution of σ
+/// 60, of 2 σ 400, of 4 σ 2000; with values held for 10 samples 50, and 400 with a resolution of 0.3 σ besides. False
+/// alarms: none in 200 logs each of resolutions of 0.3 to 6 σ, with and without a random walk of the mean, and of
+/// values held for 2, 5 and 10 samples. A constant signal has no freezes, see is_constant().
+///
+/// Takes 1 to 5 ns a sample; memory only for runs of 12 samples or more.
+template <Signal S>
+[[nodiscard]] std::vector<SampleSpan> find_freezes(const S& signal) {
+  constexpr std::int64_t shortest = 50, factor = 4, others_for_each = 20;
+  auto [count, runs] = find_equal_runs(signal, shortest / factor);
+  std::vector<std::int64_t> lengths;
+  for (const SampleSpan& run : runs) lengths.push_back(run.size());
+  std::sort(lengths.begin(), lengths.end());
+  std::int64_t usual = 0, remaining = static_cast<std::int64_t>(lengths.size());
+  for (const std::int64_t length : lengths) {
+    const bool rare = count - remaining >= others_for_each * remaining;
+    if (rare && length >= (std::max)(shortest, factor * usual)) {
+      std::erase_if(runs, [&](const SampleSpan& run) { return run.size() < length; });
+      return runs;
+    }
+    usual = length;
+    --remaining;
+  }
+  return {};
+}
+
+}  // namespace splinertia::allan

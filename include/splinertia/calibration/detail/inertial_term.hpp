@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+#include <splinertia/calibration/imu_calibration.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/kinematics_jacobians.hpp>
+#include <splinertia/strapdown/imu_sample.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace splinertia {
+
+/// What is known about an IMU, and what of its calibration is to be estimated.
+template <typename Scalar>
+struct InertialOptions {
+  /// Of a sample about the curve, rad/s and m/s²: of white noise N at a rate, N √rate. What the curve cannot follow
+  /// (vibration between its knots) counts as noise, too.
+  Scalar gyro_standard_deviation = Scalar(0);   ///< has to be given
+  Scalar accel_standard_deviation = Scalar(0);  ///< has to be given
+  /// Where to start, and what is not estimated keeps.
+  ImuCalibration<Scalar> calibration{};
+  bool estimate_gyro_bias = true;
+  bool estimate_accel_bias = true;
+  bool estimate_gravity_direction = true;  ///< its amount is kept
+  /// p_BI; R_BI is kept. This and the time offset need a motion that shows them: of a body at rest, the noise that the
+  /// curve follows is taken for one.
+  bool estimate_lever_arm = false;
+  bool estimate_time_offset = false;
+  /// s: samples as close to the ends of the curve are left out while the time offset is estimated, which stays within.
+  double largest_time_offset = 0.1;
+};
+
+/// Where each of the unknowns of a calibration is in their vector.
+struct CalibrationRows {
+  static constexpr int gyro_bias = 0, accel_bias = 3, gravity = 6, lever_arm = 8, time_offset = 11, count = 12;
+};
+
+/// Two axes at right angles to gravity: it turns by ξ rad towards them.
+template <typename Scalar>
+[[nodiscard]] Eigen::Matrix<Scalar, 3, 2> gravity_tangent(const Vector3<Scalar>& gravity) {
+  Eigen::Matrix<Scalar, 3, 2> basis;
+  int smallest;
+  gravity.cwiseAbs().minCoeff(&smallest);
+  basis.col(0) = gravity.cross(Vector3<Scalar>::Unit(smallest)).normalized();
+  basis.col(1) = gravity.normalized().cross(basis.col(0));
+  return basis * gravity.norm();
+}
+
+/// The distances of an IMU's samples from what it would read along a curve, as squares to minimise over the control
+/// points and the calibration, or over the calibration alone.
+template <typename Curve>
+class InertialTerm {
+ public:
+  using G = typename Curve::Group;
+  using Scalar = typename Curve::Scalar;
+  using Time = typename Curve::Time;
+  using Rows = CalibrationRows;
+  /// Stands on the diagonal for the information about an unknown of which there is none.
+  static constexpr Scalar nothing = (std::numeric_limits<Scalar>::min)();
+
+  /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
+  /// not finite or not later than the one before it, for bad options, and if no sample is left.
+  template <std::ranges::forward_range Samples>
+    requires ImuSample<std::ranges::range_value_t<Samples>, Scalar,
+                       std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>
+  InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve,
+               const std::vector<FitGap<Time>>& gaps = {})
+      : options_(options) {
+    require_positive("InertialOptions", "gyro_standard_deviation", options.gyro_standard_deviation);
+    require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
+    require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
+    require_positive("InertialOptions", "the amount of gravity", options.calibration.gravity.norm());
+    require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
+    if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
+      refuse<std::invalid_argument>("InertialOptions: time_offset is ", options.calibration.time_offset,
+                                    " s, expected at most largest_time_offset, ", options.largest_time_offset);
+    }
+    const auto& from = options.calibration;
+    if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.arm.p_BI)) {
+      refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
+    }
+    const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
+    const double offset = options.estimate_time_offset ? 0 : options.calibration.time_offset;
+    std::size_t i = 0;
+    Time before{};
+    for (const auto& sample : samples) {
+      const Time time = as_time<Time>(sample.time);
+      if (!is_finite(sample.time) || !all_finite(sample.gyro) || !all_finite(sample.accel)) {
+        refuse<std::invalid_argument>("IMU sample ", i, " is not finite");
+      }
+      if (i > 0 && !(time > before)) {
+        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", printable(time), ", expected a later one than ",
+                                      printable(before), ", that of the sample before it");
+      }
+      before = time;
+      ++i;
+      if (after(time, offset - margin) < curve.start() || after(time, offset + margin) > curve.end()) continue;
+      const auto inside = [&](const FitGap<Time>& gap) {
+        return after(time, offset + margin) > gap.start && after(time, offset - margin) < gap.end;
+      };
+      if (std::any_of(gaps.begin(), gaps.end(), inside)) continue;
+      samples_.push_back({time, sample.gyro, sample.accel});
+    }
+    if (samples_.empty()) {
+      refuse<std::invalid_argument>("IMU: none of ", i, " samples is within the curve, which reaches from ",
+                                    printable(curve.start()), " to ", printable(curve.end()),
+                                    gaps.empty() ? "" : ", and outside its gaps");
+    }
+  }
+
+  /// The times on the curve at which it has samples, ascending.
+  [[nodiscard]] std::vector<Time> times() const {
+    std::vector<Time> result;
+    for (const auto& sample : samples_) result.push_back(after(sample.time, options_.calibration.time_offset));
+    return result;
+  }
+
+  [[nodiscard]] std::size_t size() const { return samples_.size(); }
+
+  /// Adds to the normal equations of the control points and, as the border, of the calibration.
+  template <typename System>
+  Scalar add(const Curve& curve, const ImuCalibration<Scalar>& calibration, System& system) const {
+    Scalar cost(0);
+    const auto gravity_axes = gravity_tangent<Scalar>(calibration.gravity);
+    const Matrix3<Scalar> to_imu = calibration.arm.R_BI.matrix().transpose();
+    const Vector3<Scalar>& l = calibration.arm.p_BI;
+    Eigen::Matrix<Scalar, 6, 1> weight;
+    weight.template head<3>().setConstant(Scalar(1) / options_.gyro_standard_deviation);
+    weight.template tail<3>().setConstant(Scalar(1) / options_.accel_standard_deviation);
+    for (const auto& sample : samples_) {
+      const Time time = std::clamp(after(sample.time, calibration.time_offset), curve.start(), curve.end());
+      const auto at = curve.template linearize<2>(time);
+      const auto reading = calibrated_imu(at, calibration);
+      Eigen::Matrix<Scalar, 6, 1> r;
+      r.template head<3>() = reading.gyro - sample.gyro;
+      r.template tail<3>() = reading.accel - sample.accel;
+      r = r.cwiseProduct(weight).eval();
+      cost += r.squaredNorm();
+
+      const Vector3<Scalar> omega = angular_velocity(at), alpha = angular_acceleration(at);
+      const Vector3<Scalar> force = specific_force(at, calibration.gravity);
+      std::array<Eigen::Matrix<Scalar, 6, 6>, Curve::order> J;
+      const Matrix3<Scalar> swing = hat<Scalar>(omega.cross(l)) + hat<Scalar>(omega) * hat<Scalar>(l);
+      for (std::size_t j = 0; j < J.size(); ++j) {
+        const auto omega_j = angular_velocity_jacobian(at, j);
+        J[j].template topRows<3>() = to_imu * omega_j;
+        J[j].template bottomRows<3>() =
+            to_imu * (specific_force_jacobian(at, j, force, calibration.gravity) -
+                      hat<Scalar>(l) * angular_acceleration_jacobian(at, j) - swing * omega_j);
+        J[j] = weight.asDiagonal() * J[j];
+      }
+      Eigen::Matrix<Scalar, 6, Rows::count> border = Eigen::Matrix<Scalar, 6, Rows::count>::Zero();
+      if (options_.estimate_gyro_bias) border.template block<3, 3>(0, Rows::gyro_bias).setIdentity();
+      if (options_.estimate_accel_bias) border.template block<3, 3>(3, Rows::accel_bias).setIdentity();
+      if (options_.estimate_gravity_direction) {
+        border.template block<3, 2>(3, Rows::gravity) =
+            -to_imu * rotation_matrix_transposed<Scalar>(rotation(at.value).unit_quaternion()) * gravity_axes;
+      }
+      if (options_.estimate_lever_arm) {
+        border.template block<3, 3>(3, Rows::lever_arm) =
+            to_imu * (hat<Scalar>(alpha) + hat<Scalar>(omega) * hat<Scalar>(omega));
+      }
+      if (options_.estimate_time_offset) {
+        border.col(Rows::time_offset) = calibrated_imu_rate(curve.template evaluate<3>(time), calibration);
+      }
+      border = weight.asDiagonal() * border;
+      system.add(at.first, r, J, border);
+    }
+    // An unknown that is kept, or that nothing shows, meets nothing and stays where it is.
+    for (int i = 0; i < Rows::count; ++i) {
+      if (system.corner(i, i) == Scalar(0)) system.corner(i, i) = nothing;
+    }
+    return cost;
+  }
+
+  /// The calibration, moved by a step of its unknowns.
+  [[nodiscard]] ImuCalibration<Scalar> moved(ImuCalibration<Scalar> calibration,
+                                             const Eigen::Matrix<Scalar, Rows::count, 1>& step) const {
+    calibration.gyro_bias += step.template segment<3>(Rows::gyro_bias);
+    calibration.accel_bias += step.template segment<3>(Rows::accel_bias);
+    if (options_.estimate_gravity_direction) {
+      const Scalar amount = calibration.gravity.norm();
+      calibration.gravity += gravity_tangent<Scalar>(calibration.gravity) * step.template segment<2>(Rows::gravity);
+      calibration.gravity *= amount / calibration.gravity.norm();
+    }
+    calibration.arm.p_BI += step.template segment<3>(Rows::lever_arm);
+    if (options_.estimate_time_offset) {
+      const double most = options_.largest_time_offset;
+      calibration.time_offset =
+          std::clamp(calibration.time_offset + static_cast<double>(step[Rows::time_offset]), -most, most);
+    }
+    return calibration;
+  }
+
+  /// Which of the unknowns are estimated.
+  [[nodiscard]] Eigen::Array<bool, Rows::count, 1> estimated() const {
+    Eigen::Array<bool, Rows::count, 1> result;
+    result.template segment<3>(Rows::gyro_bias).setConstant(options_.estimate_gyro_bias);
+    result.template segment<3>(Rows::accel_bias).setConstant(options_.estimate_accel_bias);
+    result.template segment<2>(Rows::gravity).setConstant(options_.estimate_gravity_direction);
+    result.template segment<3>(Rows::lever_arm).setConstant(options_.estimate_lever_arm);
+    result[Rows::time_offset] = options_.estimate_time_offset;
+    return result;
+  }
+
+  /// The RMS of gyro and accel residuals, each of its three axes together.
+  [[nodiscard]] std::array<Scalar, 2> rms(const Curve& curve, const ImuCalibration<Scalar>& calibration) const {
+    using std::sqrt;
+    Scalar gyro(0), accel(0);
+    for (const auto& sample : samples_) {
+      const Time time = std::clamp(after(sample.time, calibration.time_offset), curve.start(), curve.end());
+      const auto reading = calibrated_imu(curve.template evaluate<2>(time), calibration);
+      gyro += (reading.gyro - sample.gyro).squaredNorm();
+      accel += (reading.accel - sample.accel).squaredNorm();
+    }
+    const auto count = static_cast<Scalar>(3 * samples_.size());
+    return {sqrt(gyro / count), sqrt(accel / count)};
+  }
+
+ private:
+  InertialOptions<Scalar> options_;
+  std::vector<TimedImuSample<Scalar, Time>> samples_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+/// A spline through poses and the samples of an IMU together, and the calibration of the IMU that goes with it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <ranges>
+#include <splinertia/calibration/detail/inertial_term.hpp>
+#include <splinertia/calibration/imu_calibration.hpp>
+#include <splinertia/spline/fit/fit.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// An estimated calibration.
+template <typename Scalar>
+struct CalibratedImu {
+  ImuCalibration<Scalar> calibration;
+  /// One sigma of each, as the given noise of samples and poses implies; 0 of what was not estimated, infinite or huge
+  /// of what the motion does not show (and there the estimate is any that fits).
+  struct {
+    Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
+    Eigen::Matrix<Scalar, 2, 1> gravity_direction;  ///< rad, towards each column of gravity_tangent()
+    Scalar time_offset;
+  } standard_deviation;
+  Scalar gyro_rms;      ///< rad/s, of the residuals, axes together
+  Scalar accel_rms;     ///< m/s²
+  std::size_t samples;  ///< within the curve
+  int iterations;
+  bool converged;
+};
+
+template <typename Curve>
+struct InertialFit : Fit<Curve> {
+  CalibratedImu<typename Curve::Scalar> imu;
+};
+
+/// The squares are those of noise, which leaves a cost of about one for each: what is lost is nothing beside it. Of
+/// data without noise nothing is left but rounding.
+template <typename Scalar>
+[[nodiscard]] Convergence<Scalar> inertial_convergence(std::size_t samples, int most_iterations) {
+  constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  return {.relative = (std::max)(Scalar(1e-10f), 16 * epsilon),
+          .absolute = epsilon * static_cast<Scalar>(6 * samples),
+          .most_iterations = most_iterations};
+}
+
+/// A curve and a calibration, for minimize().
+template <typename Curve>
+struct InertialState {
+  Curve curve;
+  ImuCalibration<typename Curve::Scalar> calibration;
+};
+
+template <typename Curve>
+using InertialSystem =
+    BandedSystem<typename Curve::Scalar, DofOf<typename Curve::Group>, Curve::order - 1, CalibrationRows::count>;
+
+/// Moves the curve, which is held by other terms as well, and the calibration.
+template <typename Curve, typename... CurveTerms>
+class InertialModel {
+ public:
+  InertialModel(std::reference_wrapper<const InertialTerm<Curve>> samples,
+                std::reference_wrapper<const CurveTerms>... terms)
+      : samples_(samples), terms_(terms...) {}
+
+  auto linearize(const InertialState<Curve>& state, InertialSystem<Curve>& system) const {
+    auto cost = samples_.add(state.curve, state.calibration, system);
+    std::apply([&](const auto&... term) { ((cost += term.add(state.curve, system)), ...); }, terms_);
+    return cost;
+  }
+
+  [[nodiscard]] InertialState<Curve> moved(const InertialState<Curve>& state,
+                                           const typename InertialSystem<Curve>::Vector& step) const {
+    return {splinertia::moved(state.curve, step.blocks), samples_.moved(state.calibration, step.border)};
+  }
+
+ private:
+  const InertialTerm<Curve>& samples_;
+  std::tuple<const CurveTerms&...> terms_;
+};
+
+template <typename Curve, typename... CurveTerms>
+InertialModel(const InertialTerm<Curve>&, const CurveTerms&...) -> InertialModel<Curve, CurveTerms...>;
+
+/// Of the equations only those of the border: the curve is known.
+template <typename System>
+struct BorderOnly {
+  System& system;
+  typename System::Corner& corner;
+
+  void add(std::size_t, const auto& r, const auto&, const auto& border) { system.add_border(r, border); }
+};
+
+/// Moves the calibration alone.
+template <typename Curve>
+class CalibrationModel {
+ public:
+  using Calibration = ImuCalibration<typename Curve::Scalar>;
+
+  CalibrationModel(std::reference_wrapper<const InertialTerm<Curve>> samples, std::reference_wrapper<const Curve> curve)
+      : samples_(samples), curve_(curve) {}
+
+  auto linearize(const Calibration& calibration, InertialSystem<Curve>& system) const {
+    BorderOnly<InertialSystem<Curve>> border{system, system.corner};
+    return samples_.add(curve_, calibration, border);
+  }
+
+  [[nodiscard]] Calibration moved(const Calibration& calibration,
+                                  const typename InertialSystem<Curve>::Vector& step) const {
+    return samples_.moved(calibration, step.border);
+  }
+
+ private:
+  const InertialTerm<Curve>& samples_;
+  const Curve& curve_;
+};
+
+/// The standard deviations of all unknowns of a calibration, at the minimum. `factor` is overwritten.
+template <typename Curve>
+[[nodiscard]] auto calibration_deviation(const InertialSystem<Curve>& system,
+                                         BandedCholesky<InertialSystem<Curve>>& factor) {
+  using std::sqrt;
+  using Scalar = typename Curve::Scalar;
+  constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
+  Eigen::Matrix<Scalar, CalibrationRows::count, 1> deviation;
+  deviation.setConstant(infinity);
+  // Where unknowns have the same effect to rounding, a little damping holds them: then those of which the variance is
+  // up to what the damping allows are not seen, and the others do not feel it.
+  const Scalar little = sqrt(std::numeric_limits<Scalar>::epsilon());
+  const bool regular = factor.compute(system, Scalar(0));
+  if (!regular && !factor.compute(system, little)) return deviation;
+  const auto covariance = factor.border_covariance();
+  for (int i = 0; i < CalibrationRows::count; ++i) {
+    const Scalar information = system.corner(i, i), variance = covariance(i, i);
+    const bool seen = information > InertialTerm<Curve>::nothing &&
+                      (regular || variance * information * little < Scalar(1) / Scalar(100));
+    if (seen) deviation[i] = sqrt(variance);
+  }
+  return deviation;
+}
+
+/// What minimize() has found, with its standard deviations.
+template <typename Curve>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrated_imu(
+    const InertialTerm<Curve>& samples, const Curve& curve, const ImuCalibration<typename Curve::Scalar>& calibration,
+    const InertialSystem<Curve>& system, BandedCholesky<InertialSystem<Curve>>& factor,
+    const Minimum<typename Curve::Scalar>& minimum) {
+  using Scalar = typename Curve::Scalar;
+  using Rows = CalibrationRows;
+  const Eigen::Matrix<Scalar, Rows::count, 1> deviation =
+      samples.estimated().select(calibration_deviation<Curve>(system, factor), Scalar(0));
+  const auto [gyro_rms, accel_rms] = samples.rms(curve, calibration);
+  return {calibration,
+          {deviation.template segment<3>(Rows::gyro_bias), deviation.template segment<3>(Rows::accel_bias),
+           deviation.template segment<3>(Rows::lever_arm), deviation.template segment<2>(Rows::gravity),
+           deviation[Rows::time_offset]},
+          gyro_rms,
+          accel_rms,
+          samples.size(),
+          minimum.iterations,
+          minimum.converged};
+}
+
+/// How an IMU is mounted and biased, from its samples along a known curve: what is left of them shows how well the
+/// curve, and a simulator on it, matches a real sensor.
+///
+///   const auto imu = calibrate_imu(fit.spline, samples, {.gyro_standard_deviation = 0.01,
+///                                                        .accel_standard_deviation = 0.1});
+///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
+///
+/// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Samples inside the `gaps` of the
+/// curve do not count: nothing measured the curve there. Throws std::invalid_argument for bad samples or options, and
+/// if none of the samples is within the curve and outside its gaps.
+template <typename Curve, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
+    const Curve& curve, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options,
+    const std::vector<FitGap<typename Curve::Time>>& gaps = {}) {
+  const InertialTerm<Curve> term(samples, options, curve, gaps);
+  InertialSystem<Curve> system(0);
+  BandedCholesky<InertialSystem<Curve>> factor;
+  auto calibration = options.calibration;
+  const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
+                                inertial_convergence<typename Curve::Scalar>(term.size(), 100));
+  return calibrated_imu(term, curve, calibration, system, factor, minimum);
+}
+
+/// The same of a curve that was fitted to poses: samples inside its gaps do not count.
+template <typename Curve, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group>
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
+    const Fit<Curve>& fit, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options) {
+  return calibrate_imu(fit.spline, samples, options, fit.gaps);
+}
+
+/// The spline nearest to poses and to the samples of an IMU at once, each by its standard deviation, and the IMU's
+/// calibration. It starts from fit(poses, options) or, where that is nearer to the samples as well, from the poses at
+/// their times. The `standard_deviation` of a pose should be given: by default it is what fit() has found in the
+/// residuals. Rates of the IMU beside sparse or noisy poses make knots possible that the poses alone could not hold;
+/// where they leave gaps, the IMU bridges them.
+///
+/// Memory and time are linear in the number of poses and samples. Throws as fit() and calibrate_imu() do.
+template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples>
+  requires Pose<typename Curve::Group> && LieGroupWithJacobians<typename Curve::Group>
+[[nodiscard]] InertialFit<Curve> inertial_fit(const Poses& poses, const Samples& samples,
+                                              const FitOptions<Curve>& options,
+                                              const InertialOptions<typename Curve::Scalar>& imu) {
+  using Scalar = typename Curve::Scalar;
+  FitProblem<Curve> problem(poses, options);
+  const Curve unfitted = problem.curve();
+  problem.solve();
+  const InertialTerm<Curve> samples_term(samples, imu, problem.curve());
+  const PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
+  const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms(samples_term.times());
+  const InertialModel model(samples_term, pose_term, smoothness);
+  InertialSystem<Curve> system(unfitted.control_points().size());
+  const auto start = [&](const Curve& curve) {
+    InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu, problem.gaps()).calibration};
+    system.clear();
+    const Scalar cost = model.linearize(state, system);
+    return std::pair(cost, std::move(state));
+  };
+  // Across a gap, or with knots that the poses hardly hold, the curve that is nearest to the poses alone goes astray.
+  auto [cost, state] = start(problem.curve());
+  auto [cost_of_unfitted, unfitted_state] = start(unfitted);
+  if (cost_of_unfitted < cost) state = std::move(unfitted_state);
+  system.clear();
+  BandedCholesky<InertialSystem<Curve>> factor;
+  const auto minimum = minimize(model, state, system, factor,
+                                inertial_convergence<Scalar>(samples_term.size(), options.most_iterations));
+  auto calibrated = calibrated_imu(samples_term, state.curve, state.calibration, system, factor, minimum);
+  InertialFit<Curve> result{std::move(problem).report(std::move(state.curve)), std::move(calibrated)};
+  result.iterations += minimum.iterations;
+  result.converged = minimum.converged;
+  result.condition =
+      factor.compute(system, Scalar(0)) ? condition_estimate(system, factor) : std::numeric_limits<Scalar>::infinity();
+  return result;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/detail/cpp20.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace splinertia {
+
+/// std::array whose length is an int, as orders and dimensions are: the conversion that -Wsign-conversion asks for.
+template <typename T, int N>
+using FixedArray = std::array<T, static_cast<std::size_t>(N)>;
+
+}  // namespace splinertia

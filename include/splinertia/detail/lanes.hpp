@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/detail/cpp20.hpp>
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace splinertia {
+
+/// N numbers that go through the same arithmetic at once: a scalar of which one operation is one SIMD instruction, or a
+/// few, in every template of this library that takes a Scalar and never branches on one. There is no comparison, so
+/// what would branch does not compile.
+///
+/// They are kept in vectors of Bytes bytes, those of g++'s and clang's extension, which both lower to what the target
+/// has; no intrinsics. Width and number are part of the type's name, so that functions compiled for different targets
+/// are different functions to the linker.
+template <typename T, int N, int Bytes>
+struct Lanes {
+  using Vector [[gnu::vector_size(Bytes)]] = T;
+  static constexpr int size = N;
+  static constexpr int width = Bytes / static_cast<int>(sizeof(T));
+  static constexpr int vectors = N / width;
+  static_assert(vectors * width == N, "lanes fill whole vectors");
+
+  Vector vector[static_cast<std::size_t>(vectors)];
+
+  Lanes() = default;  // uninitialised, as T is
+  /// x in all lanes; −0 stays −0.
+  Lanes(T x) {
+    for (Vector& v : vector) v = x - Vector{};
+  }
+
+  /// The N numbers from p on, which may be anywhere.
+  [[nodiscard]] static Lanes load(const T* p) {
+    Lanes x;
+    std::memcpy(x.vector, p, sizeof(x.vector));
+    return x;
+  }
+  void store(T* p) const { std::memcpy(p, vector, sizeof(vector)); }
+
+  /// 0, 1, …, N − 1.
+  [[nodiscard]] static Lanes ramp() {
+    Lanes x(T(0));
+    for (int i = 0; i < N; ++i) x.vector[i / width][i % width] = static_cast<T>(i);
+    return x;
+  }
+
+  Lanes& operator+=(const Lanes& b) {
+    for (int i = 0; i < vectors; ++i) vector[i] += b.vector[i];
+    return *this;
+  }
+  Lanes& operator-=(const Lanes& b) {
+    for (int i = 0; i < vectors; ++i) vector[i] -= b.vector[i];
+    return *this;
+  }
+  Lanes& operator*=(const Lanes& b) {
+    for (int i = 0; i < vectors; ++i) vector[i] *= b.vector[i];
+    return *this;
+  }
+  Lanes& operator/=(const Lanes& b) {
+    for (int i = 0; i < vectors; ++i) vector[i] /= b.vector[i];
+    return *this;
+  }
+  friend Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
+  friend Lanes operator-(Lanes a, const Lanes& b) { return a -= b; }
+  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
+  friend Lanes operator/(Lanes a, const Lanes& b) { return a /= b; }
+  friend Lanes operator-(Lanes a) {
+    for (Vector& v : a.vector) v = -v;
+    return a;
+  }
+};
+
+template <typename T>
+inline constexpr bool is_lanes = false;
+template <typename T, int N, int Bytes>
+inline constexpr bool is_lanes<Lanes<T, N, Bytes>> = true;
+
+/// The same numbers in another type, each rounded as static_cast does.
+template <typename To, typename T, int N, int Bytes>
+[[nodiscard]] inline Lanes<To, N, Bytes> lanes_cast(const Lanes<T, N, Bytes>& x) {
+  if constexpr (std::is_same_v<To, T>) {
+    return x;
+  } else {
+    using From [[gnu::vector_size(N * sizeof(T))]] = T;
+    using Into [[gnu::vector_size(N * sizeof(To))]] = To;
+    From from;
+    std::memcpy(&from, x.vector, sizeof(from));
+    const Into into = __builtin_convertvector(from, Into);
+    Lanes<To, N, Bytes> y;
+    std::memcpy(y.vector, &into, sizeof(into));
+    return y;
+  }
+}
+
+/// Bytes of the widest vector that this target computes with, and how many of them to go through a function side by
+/// side: where vectors are narrow, a function's chain of dependent operations leaves the processor idle, and two take
+/// little longer.
+#if defined(__AVX512F__)
+inline constexpr int vector_bytes = 64, vectors_at_once = 1;
+#elif defined(__AVX__)
+inline constexpr int vector_bytes = 32, vectors_at_once = 1;
+#else
+inline constexpr int vector_bytes = 16, vectors_at_once = 2;
+#endif
+
+/// As many lanes of T as suit this target.
+template <typename T>
+using NativeLanes = Lanes<T, vectors_at_once * vector_bytes / static_cast<int>(sizeof(T)), vector_bytes>;
+
+}  // namespace splinertia
+
+template <typename T, int N, int Bytes>
+struct std::numeric_limits<splinertia::Lanes<T, N, Bytes>> : std::numeric_limits<T> {};
+
+template <typename T, int N, int Bytes>
+struct Eigen::NumTraits<splinertia::Lanes<T, N, Bytes>> : Eigen::GenericNumTraits<T> {
+  using Real = splinertia::Lanes<T, N, Bytes>;
+  using NonInteger = Real;
+  using Nested = Real;
+  using Literal = T;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};

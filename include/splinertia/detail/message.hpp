@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/detail/cpp20.hpp>
+
+#include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace splinertia {
+
+/// One part of a message as text, without regard to the global locale: numbers as short as tells them apart.
+template <typename Part>
+[[nodiscard]] std::string message_part(const Part& part) {
+  std::string result;
+  int digits = 6;
+  bool exact = false;
+  while (!exact) {
+    std::stringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(digits);
+    text << part;
+    result = text.str();
+    if constexpr (std::is_floating_point_v<Part>) {
+      Part read;
+      exact = (text >> read && read == part) || ++digits > std::numeric_limits<Part>::max_digits10;
+    } else {
+      exact = true;
+    }
+  }
+  return result;
+}
+
+/// Joins its arguments into the text of an error. Only called on the way to a throw.
+template <typename... Parts>
+[[nodiscard]] std::string message(const Parts&... parts) {
+  return (std::string() + ... + message_part(parts));
+}
+
+}  // namespace splinertia

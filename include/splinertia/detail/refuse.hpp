@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/// How the library says no: it throws; where exceptions are turned off (-fno-exceptions), it calls SPLINERTIA_REFUSE.
+#pragma once
+
+#include <splinertia/detail/cpp20.hpp>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#ifdef __cpp_exceptions
+#include <splinertia/detail/message.hpp>
+#else
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <cstdio>
+#include <string_view>
+
+#ifndef SPLINERTIA_REFUSE
+/// Without exceptions only: what is done with the text of an error, a `const char*`. The program is aborted if it
+/// returns. Define it before the first header of the library, alike in all source files.
+#define SPLINERTIA_REFUSE(text) (std::fprintf(stderr, "%s\n", text), std::abort())
+#endif
+#endif
+
+namespace splinertia {
+
+#ifndef __cpp_exceptions
+namespace detail {
+
+/// Appends one part of a message to text[used], as far as there is room: no stream, no heap.
+template <typename Part>
+void append_part(char* text, std::size_t size, std::size_t& used, const Part& part) {
+  int wanted = 0;
+  char* const begin = text + used;
+  if constexpr (std::convertible_to<const Part&, std::string_view>) {
+    const std::string_view view(part);
+    wanted = std::snprintf(begin, size - used, "%.*s", static_cast<int>(view.size()), view.data());
+  } else if constexpr (std::same_as<Part, char>) {
+    wanted = std::snprintf(begin, size - used, "%c", part);
+  } else if constexpr (std::signed_integral<Part>) {
+    wanted = std::snprintf(begin, size - used, "%lld", static_cast<long long>(part));
+  } else if constexpr (std::unsigned_integral<Part>) {
+    wanted = std::snprintf(begin, size - used, "%llu", static_cast<unsigned long long>(part));
+  } else if constexpr (std::floating_point<Part>) {
+    wanted = std::snprintf(begin, size - used, "%.9Lg", static_cast<long double>(part));
+  } else {
+    wanted = std::snprintf(begin, size - used, "?");
+  }
+  used = (std::min)(used + static_cast<std::size_t>((std::max)(wanted, 0)), size - 1);
+}
+
+}  // namespace detail
+#endif
+
+/// Throws an Error whose text is made of the parts; without exceptions, hands the text to SPLINERTIA_REFUSE.
+template <typename Error, typename... Parts>
+[[noreturn, gnu::cold, gnu::noinline]] void refuse(const Parts&... parts) {
+#ifdef __cpp_exceptions
+  throw Error(message(parts...));
+#else
+  char text[256] = "";
+  std::size_t used = 0;
+  (detail::append_part(text, sizeof text, used, parts), ...);
+  SPLINERTIA_REFUSE(text);
+  std::abort();
+#endif
+}
+
+}  // namespace splinertia

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <iterator>
+#include <splinertia/detail/lanes.hpp>
+#include <utility>
+
+namespace splinertia {
+
+/// Samples of `Rows` numbers each, kept as so many rows: number by number, not sample by sample, which is what SIMD
+/// writes and what plots, filters and Allan analysis read. Each row is contiguous and followed by room for the lanes of
+/// one vector, so that whole vectors can be written up to the end.
+///
+/// Capacity: of how many samples, for memory that is part of the object; Eigen::Dynamic for as many as resize() is
+/// told.
+template <typename Scalar, int Rows, int Capacity = Eigen::Dynamic>
+class SampleRows {
+ public:
+  /// Room for `size` samples. What was there is lost; memory is taken only where the size changes.
+  void resize(std::size_t size)
+    requires(Capacity == Eigen::Dynamic)
+  {
+    numbers_.resize(Rows, columns(static_cast<Eigen::Index>(size)));
+    size_ = size;
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// Writes to the rows. A copy of its own lets a loop keep it in registers.
+  class Writer {
+   public:
+    explicit Writer(SampleRows& rows) : data_(rows.numbers_.data()), stride_(rows.numbers_.cols()) {}
+
+    /// Numbers v[0] … v[Count − 1] of sample i to the rows from Row on; of the samples from i on where they are Lanes.
+    template <int Row, int Count>
+    void write(std::size_t i, const auto& v) const {
+      static_assert(Row + Count <= Rows);
+      // Unrolled, so that v need not be in memory.
+      [&]<int... K>(std::integer_sequence<int, K...>) {
+        (put(data_ + (Row + K) * stride_ + i, v[static_cast<std::size_t>(K)]), ...);
+      }(std::make_integer_sequence<int, Count>{});
+    }
+
+   private:
+    static void put(Scalar* to, const Scalar& x) { *to = x; }
+    template <int N, int Bytes>
+    static void put(Scalar* to, const Lanes<Scalar, N, Bytes>& x) {
+      x.store(to);
+    }
+    Scalar* data_;
+    std::ptrdiff_t stride_;
+  };
+
+  /// Rows r … r + Count − 1, a matrix of Count × size(): where they are kept, or of a temporary, a copy.
+  template <int Count>
+  [[nodiscard]] auto rows(int r) const& {
+    return numbers_.template middleRows<Count>(r).leftCols(static_cast<Eigen::Index>(size_));
+  }
+  template <int Count>
+  [[nodiscard]] Eigen::Matrix<Scalar, Count, Eigen::Dynamic, Eigen::RowMajor> rows(int r) && {
+    return rows<Count>(r);
+  }
+
+  /// Rows r … r + Count − 1 of sample i.
+  template <int Count>
+  [[nodiscard]] Eigen::Matrix<Scalar, Count, 1> column(int r, std::size_t i) const {
+    Eigen::Matrix<Scalar, Count, 1> v;
+    for (int k = 0; k < Count; ++k) v[k] = numbers_(r + k, static_cast<Eigen::Index>(i));
+    return v;
+  }
+
+ private:
+  // Whole vectors, and three more: one for the lanes behind the last sample, and not a power of two, so that rows are
+  // not all in the same set of the cache.
+  [[nodiscard]] static constexpr Eigen::Index columns(Eigen::Index size) {
+    constexpr Eigen::Index lanes = NativeLanes<Scalar>::size;
+    return (size / lanes + 3) * lanes;
+  }
+  static constexpr int fixed_columns =
+      Capacity == Eigen::Dynamic ? Eigen::Dynamic : static_cast<int>(columns(Capacity));
+  Eigen::Matrix<Scalar, Rows, fixed_columns, Eigen::RowMajor> numbers_;
+  std::size_t size_ = Capacity == Eigen::Dynamic ? 0 : static_cast<std::size_t>(Capacity);
+};
+
+/// Goes through samples[0], samples[1], … of anything that makes them when they are asked for.
+template <typename Samples>
+class SampleIterator {
+ public:
+  using value_type = decltype(std::declval<const Samples&>()[std::size_t{}]);
+  using difference_type = std::ptrdiff_t;
+  using iterator_concept = std::forward_iterator_tag;
+
+  SampleIterator() = default;
+  SampleIterator(const Samples& samples, std::size_t index) : samples_(&samples), index_(index) {}
+  [[nodiscard]] value_type operator*() const { return (*samples_)[index_]; }
+  SampleIterator& operator++() {
+    ++index_;
+    return *this;
+  }
+  SampleIterator operator++(int) {
+    SampleIterator before = *this;
+    ++*this;
+    return before;
+  }
+  [[nodiscard]] bool operator==(const SampleIterator&) const = default;
+
+ private:
+  const Samples* samples_ = nullptr;
+  std::size_t index_ = 0;
+};
+
+}  // namespace splinertia

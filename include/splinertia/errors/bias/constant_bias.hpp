@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A bias that is the same in every sample of every run. In the sensor's unit. See turn_on_bias.hpp for one that is
+/// drawn anew for every run.
+template <typename Scalar = double>
+struct ConstantBias {
+  static constexpr std::string_view name = "constant bias";
+  struct State {};
+
+  PerAxis<Scalar> bias;
+
+  /// Throws std::invalid_argument unless the bias is finite.
+  constexpr ConstantBias(const PerAxis<Scalar>& bias_) : bias(bias_) { require_finite("ConstantBias", "bias", bias); }
+
+  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, State&) const {
+    sample.value += bias.vector();
+    sample.bias += bias.vector();
+  }
+
+  void describe(auto&& parameter) const { parameter("bias", bias, SensorUnit{}); }
+};
+
+template <typename P>
+ConstantBias(const P&) -> ConstantBias<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

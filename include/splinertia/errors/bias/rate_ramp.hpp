@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A bias that grows in proportion to time, from zero at the first sample. R in the sensor's unit per s: rad/s² for a
+/// gyroscope, m/s³ for an accelerometer. Allan deviation R·τ/√2. IEEE Std 952-1997, C.1.4.
+template <typename Scalar = double>
+struct RateRamp {
+  static constexpr std::string_view name = "rate ramp";
+  struct State {};
+
+  PerAxis<Scalar> slope;
+
+  /// Throws std::invalid_argument unless the slope is finite.
+  constexpr RateRamp(const PerAxis<Scalar>& slope_) : slope(slope_) { require_finite("RateRamp", "slope", slope); }
+
+  void apply(Sample<Scalar>& sample, State&) const {
+    const Vector3<Scalar> bias = slope.vector() * sample.elapsed;
+    sample.value += bias;
+    sample.bias += bias;
+  }
+
+  void describe(auto&& parameter) const { parameter("slope", slope, SensorUnit{1}); }
+};
+
+template <typename P>
+RateRamp(const P&) -> RateRamp<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

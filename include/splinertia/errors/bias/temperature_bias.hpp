@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/bias/temperature.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A bias in proportion to how far the sensor is from its reference temperature: coefficient·(T(t) − reference).
+/// Coefficient in the sensor's unit per K, temperatures in °C; for T(t) see temperature.hpp.
+template <typename Scalar, TemperatureProfile<Scalar> Profile>
+struct TemperatureBias {
+  static constexpr std::string_view name = "temperature bias";
+  struct State {};
+
+  PerAxis<Scalar> coefficient;
+  Profile temperature;
+  Scalar reference;
+
+  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
+  constexpr TemperatureBias(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
+                            const Scalar& reference_ = Scalar(25))
+      : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
+    require_factor("TemperatureBias", "coefficient", coefficient);
+    require_factor("TemperatureBias", "reference temperature", reference);
+  }
+
+  void apply(Sample<Scalar>& sample, State&) const {
+    const Vector3<Scalar> bias = coefficient.vector() * (Scalar(temperature(sample.elapsed)) - reference);
+    sample.value += bias;
+    sample.bias += bias;
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("coefficient", coefficient, SensorUnit{.per_kelvin = true});
+    describe_profile(temperature, parameter);
+    parameter("reference temperature", reference, "degC");
+  }
+};
+
+template <typename P, typename Profile, typename... More>
+TemperatureBias(const P&, const Profile&, const More&...) -> TemperatureBias<ScalarOfParameter<P>, Profile>;
+
+}  // namespace splinertia

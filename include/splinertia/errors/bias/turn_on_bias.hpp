@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A bias that is drawn once for each run, normal with the given standard deviation, and stays: a data sheet's turn-on
+/// bias, or bias repeatability. In the sensor's unit.
+template <typename Scalar = double>
+struct TurnOnBias {
+  static constexpr std::string_view name = "turn-on bias";
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : normal(Normals(term).template draw<Scalar>()) {}
+    Vector3<Scalar> normal;
+  };
+
+  PerAxis<Scalar> standard_deviation;
+
+  /// Throws std::invalid_argument unless the deviation is finite and >= 0.
+  constexpr TurnOnBias(const PerAxis<Scalar>& standard_deviation_) : standard_deviation(standard_deviation_) {
+    require_non_negative("TurnOnBias", "standard deviation", standard_deviation);
+  }
+
+  void apply(Sample<Scalar>& sample, auto& state) const {
+    const Vector3<Scalar> bias = standard_deviation.vector().cwiseProduct(state.normal);
+    sample.value += bias;
+    sample.bias += bias;
+  }
+
+  void describe(auto&& parameter) const { parameter("standard deviation", standard_deviation, SensorUnit{}); }
+};
+
+template <typename P>
+TurnOnBias(const P&) -> TurnOnBias<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/clock/stamp.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A constant latency: every stamp is `offset` s later than the sample was taken (earlier if negative). Kalibr's and
+/// the estimators' time offset t_d.
+template <typename Scalar = double>
+struct ClockOffset {
+  static constexpr std::string_view name = "clock offset";
+  struct State {};
+
+  Scalar offset;
+
+  /// Throws std::invalid_argument unless the offset is finite.
+  constexpr ClockOffset(const Scalar& offset_) : offset(offset_) { require_finite("ClockOffset", "offset", offset); }
+
+  void apply(Stamp<Scalar>& stamp, State&) const { stamp.offset += offset; }
+
+  void describe(auto&& parameter) const { parameter("offset", offset, "s"); }
+};
+
+template <typename P>
+ClockOffset(const P&) -> ClockOffset<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <splinertia/errors/clock/stamp.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// Jitter of the stamps: each is off by a normal number of mean zero with the given standard deviation σ in s, at any
+/// time of a run. The samples themselves are taken on time. The order of the stamps is kept: two neighbours are never
+/// closer than a hundredth of the interval h between their samples.
+///
+/// Offsets up to σ = h/4 are independent. Independent ones beyond would change the order, so these follow each other as
+/// a first-order Gauss–Markov process with the correlation ρ = 1 − (h/4σ)² from sample to sample, whose steps have the
+/// standard deviation h/√8 at any σ: the correlation lasts for about (4σ/h)² samples, 64 for σ = 2h. The mean over n
+/// samples of a run is off by σ√((1 + ρ)/((1 − ρ)n)), which is zero on average.
+///
+/// A step of more than 0.99 h is not made: the offset stays what it was (0.5 % of the steps at σ >= h/4, 0.05 % at h/5,
+/// 3e-6 at 3h/20). Proposals that leave the normal law as it is and are as likely there as back, refused alike in both
+/// directions, leave it as it is: the law of an offset is exactly normal, whatever the intervals. Metropolis et al.,
+/// "Equation of State Calculations by Fast Computing Machines", J. Chem. Phys. 21 (1953).
+template <typename Scalar = double>
+struct StampJitter {
+  static constexpr std::string_view name = "stamp jitter";
+
+  /// offset ← offset − forget·offset + deviation·n, n standard normal, unless it moves by more than `most`.
+  struct Step {
+    Scalar forget, deviation, most;
+  };
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : normals(term) {}
+    Normals normals;
+    Scalar offset = Scalar(0);
+    ForInterval<Scalar, Step> step{};
+  };
+
+  Scalar standard_deviation;
+
+  /// Throws std::invalid_argument unless the deviation is finite and >= 0.
+  constexpr StampJitter(const Scalar& standard_deviation_) : standard_deviation(standard_deviation_) {
+    require_non_negative("StampJitter", "standard deviation", standard_deviation);
+  }
+
+  void apply(Stamp<Scalar>& stamp, auto& state) const {
+    const Scalar n = static_cast<Scalar>(state.normals.draw_one());
+    if (stamp.first) {
+      state.offset = standard_deviation * n;
+    } else {
+      const Step& step = state.step(stamp.interval, [&] { return make_step(stamp.interval); });
+      const Scalar proposal = state.offset - step.forget * state.offset + step.deviation * n;
+      const Scalar change = proposal - state.offset;
+      if (-step.most <= change && change <= step.most) state.offset = proposal;
+    }
+    stamp.offset += state.offset;
+  }
+
+  void describe(auto&& parameter) const { parameter("standard deviation", standard_deviation, "s"); }
+
+ private:
+  [[nodiscard]] Step make_step(const Scalar& interval) const {
+    using std::sqrt;
+    const Scalar most = interval * Scalar(99) / Scalar(100);
+    const Scalar independent = interval / Scalar(4);  // the largest deviation of independent offsets
+    if (standard_deviation <= independent) return {Scalar(1), standard_deviation, most};
+    const Scalar ratio = independent / standard_deviation, forget = ratio * ratio;
+    // σ√(1 − ρ²) with ρ = 1 − forget
+    return {forget, independent * sqrt(Scalar(2) - forget), most};
+  }
+};
+
+template <typename P>
+StampJitter(const P&) -> StampJitter<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <splinertia/errors/error_term.hpp>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace splinertia {
+
+/// Whether there is a function check_together(a, b), which throws std::invalid_argument if they cannot stand together.
+template <typename A, typename B>
+inline constexpr bool are_checked_together = requires(const A& a, const B& b) { check_together(a, b); };
+
+/// The error terms of one three-axis sensor, applied in the order written:
+///
+///   ErrorModel gyro{RandomWalk{5e-5}, WhiteNoise{0.015}};
+///   ErrorModel ideal{};                                     // an empty type that does nothing
+///
+/// The same of a clock's time stamps: ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. What is not named
+/// costs nothing. See error_term.hpp for terms of your own. Two terms that cannot stand together are found by calling
+/// check_together(a, b), or (b, a), where there is such a function.
+template <typename... Terms>
+class ErrorModel {
+  static_assert((check_error_term<Terms>() && ...));
+  static_assert(
+      (SensorTerm<Terms> && ...) || (ClockTerm<Terms> && ...) || !(ErrorTerm<Terms> && ...),
+      "an ErrorModel has the terms of one sensor or of one clock: stamps' errors (ClockOffset, StampJitter, …) "
+      "go into a model of their own, Imu{gyro, accel, stamps}");
+
+ public:
+  /// What changes from sample to sample, for one sensor in one run.
+  template <BitGenerator Generator = Xoshiro256>
+  using State = std::tuple<StateOf<Terms, Generator>...>;
+
+  /// Throws std::invalid_argument for terms that cannot stand together.
+  constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {
+    if constexpr ((are_any_checked_with<Terms> || ...)) check_all(indices);
+  }
+
+  /// The state before the first sample. Each term has random streams of its own under `sensor`, named by the term and
+  /// by how many of the same name stand before it.
+  template <BitGenerator Generator = Xoshiro256>
+  [[nodiscard]] State<Generator> start(StreamKey sensor) const {
+    return [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      return State<Generator>{start_term<Index, Generator>(sensor)...};
+    }(indices);
+  }
+
+  /// Puts all errors into a sample (a Sample, or a Stamp).
+  template <typename AnySample, typename AnyState>
+    requires(AppliesTo<Terms, AnySample&, StateOf<Terms>> && ...)
+  [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
+    apply_all(sample, state, indices);
+  }
+
+  [[nodiscard]] constexpr const std::tuple<Terms...>& terms() const { return terms_; }
+
+  /// The same model with more terms after its own.
+  template <typename... More>
+  [[nodiscard]] constexpr ErrorModel<Terms..., More...> with(const More&... more) const {
+    return std::apply([&](const auto&... term) { return ErrorModel<Terms..., More...>(term..., more...); }, terms_);
+  }
+
+ private:
+  static constexpr auto indices = std::index_sequence_for<Terms...>{};
+
+  template <std::size_t Index>
+  using Term = std::tuple_element_t<Index, std::tuple<Terms...>>;
+
+  template <std::size_t... Index>
+  [[gnu::always_inline]] void apply_all(auto& sample, auto& state, std::index_sequence<Index...>) const {
+    (std::get<Index>(terms_).apply(sample, std::get<Index>(state)), ...);
+  }
+
+  // One answer for each pair of types: compilers remember it from model to model.
+  template <typename T>
+  static constexpr bool are_any_checked_with = (are_checked_together<T, Terms> || ...);
+
+  template <std::size_t... Index>
+  constexpr void check_all(std::index_sequence<Index...>) const {
+    (check_beside<Index>(indices), ...);
+  }
+  template <std::size_t Index, std::size_t... J>
+  constexpr void check_beside(std::index_sequence<J...>) const {
+    (check_pair<Index, J>(), ...);
+  }
+  template <std::size_t Index, std::size_t J>
+  constexpr void check_pair() const {
+    if constexpr (Index != J && are_checked_together<Term<Index>, Term<J>>) {
+      check_together(std::get<Index>(terms_), std::get<J>(terms_));
+    }
+  }
+
+  // How many terms before the I-th have its name.
+  template <std::size_t Index>
+  static constexpr std::uint64_t occurrence() {
+    return []<std::size_t... J>(std::index_sequence<J...>) {
+      [[maybe_unused]] const auto same = []<std::size_t j>() {
+        if constexpr (StochasticTerm<Term<j>>) {
+          return Term<j>::name == Term<Index>::name;
+        } else {
+          return false;
+        }
+      };
+      return (std::uint64_t{0} + ... + (same.template operator()<J>() ? 1U : 0U));
+    }(std::make_index_sequence<Index>{});
+  }
+
+  template <std::size_t Index, typename Generator>
+  static auto start_term(StreamKey sensor) {
+    if constexpr (StochasticTerm<Term<Index>>) {
+      return StateOf<Term<Index>, Generator>(sensor / Term<Index>::name / occurrence<Index>());
+    } else {
+      return StateOf<Term<Index>, Generator>{};
+    }
+  }
+
+  [[no_unique_address]] std::tuple<Terms...> terms_;
+};
+
+static_assert(std::is_empty_v<ErrorModel<>>);
+
+/// The state of a model before the first sample of a run.
+template <typename Model, BitGenerator Generator = Xoshiro256>
+using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
+
+/// What stands in an Imu as the errors of a sensor, or of its clock: ErrorModel, or a type of one's own with its
+/// start() and apply().
+template <typename Model>
+concept SensorModel = AppliesToSome<Model, StateOfModel<Model>, Sample>;
+template <typename Model>
+concept ClockModel = AppliesToSome<Model, StateOfModel<Model>, Stamp>;
+
+}  // namespace splinertia

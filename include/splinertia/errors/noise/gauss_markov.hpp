@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <splinertia/random/detail/reproducible_math.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// One exact step of a stationary first-order Gauss–Markov (Ornstein–Uhlenbeck) process of unit variance:
+/// x ← x − forget·x + deviation·n, n standard normal. Gelb, Applied Optimal Estimation (1974), 3.6.
+/// With exp(−h/τ)·x instead, x would no longer return to zero where the exponential is rounded to one.
+template <typename Scalar>
+struct GaussMarkovStep {
+  Scalar forget = Scalar(1);     ///< 1 − exp(−h/τ)
+  Scalar deviation = Scalar(1);  ///< √(1 − exp(−2h/τ))
+
+  GaussMarkovStep() = default;
+  /// A step of h correlation times.
+  explicit GaussMarkovStep(const Scalar& h) {
+    using std::sqrt;
+    forget = exponential_rise<Scalar>(h);
+    deviation = sqrt(exponential_rise<Scalar>(Scalar(2) * h));
+  }
+};
+
+/// A bias that wanders about zero: a first-order Gauss–Markov process with the given stationary standard deviation (in
+/// the sensor's unit) and correlation time (s), autocovariance σ² exp(−|t|/τ), discretised exactly, so that its
+/// statistics do not depend on the rate. It starts in its stationary law, or at a given value.
+template <typename Scalar = double>
+struct GaussMarkov {
+  static constexpr std::string_view name = "Gauss-Markov";
+
+  /// x ← x − forget·x + deviation·n, for each axis.
+  struct Step {
+    Vector3<Scalar> forget, deviation;
+  };
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : normals(term) {}
+    Normals normals;
+    Vector3<Scalar> bias = Vector3<Scalar>::Zero();
+    ForInterval<Scalar, Step> step{};
+  };
+
+  PerAxis<Scalar> standard_deviation;
+  PerAxis<Scalar> correlation_time;
+  std::optional<PerAxis<Scalar>> initial;  ///< the bias in the first sample
+
+  /// Throws std::invalid_argument unless the deviation is finite and >= 0, the correlation time finite and > 0, and the
+  /// initial value finite.
+  constexpr GaussMarkov(const PerAxis<Scalar>& standard_deviation_, const PerAxis<Scalar>& correlation_time_,
+                        const std::optional<PerAxis<Scalar>>& initial_ = std::nullopt)
+      : standard_deviation(standard_deviation_), correlation_time(correlation_time_), initial(initial_) {
+    require_non_negative("GaussMarkov", "standard deviation", standard_deviation);
+    require_positive("GaussMarkov", "correlation time", correlation_time);
+    if (initial) require_finite("GaussMarkov", "initial value", *initial);
+  }
+
+  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& state) const {
+    if (sample.first && initial) [[unlikely]] {
+      state.bias = initial->vector();
+    } else {
+      const Scalar interval = sample.first ? Scalar(0) : sample.interval;
+      const Step& step = state.step(interval, [this, interval] { return make_step(interval); });
+      const Vector3<Scalar> n = state.normals.template draw<Scalar>();
+      state.bias += step.deviation.cwiseProduct(n) - step.forget.cwiseProduct(state.bias);
+    }
+    sample.value += state.bias;
+    sample.bias += state.bias;
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("standard deviation", standard_deviation, SensorUnit{});
+    parameter("correlation time", correlation_time, "s");
+    if (initial) parameter("initial value", *initial, SensorUnit{});
+  }
+
+ private:
+  [[nodiscard, gnu::noinline, gnu::cold]] Step make_step(Scalar interval) const {
+    if (interval == Scalar(0))
+      return {Vector3<Scalar>::Zero(), standard_deviation.vector()};  // to the stationary law, from zero
+    Step result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<int>(axis);
+      const GaussMarkovStep<Scalar> unit(interval / correlation_time[axis]);
+      result.forget[i] = unit.forget;
+      result.deviation[i] = standard_deviation[axis] * unit.deviation;
+    }
+    return result;
+  }
+};
+
+template <typename P, typename... More>
+GaussMarkov(const P&, const More&...) -> GaussMarkov<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

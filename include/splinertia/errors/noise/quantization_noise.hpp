@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// Quantization noise of coefficient Q: the integral of the reading (angle, velocity) has an error q_i = Q·n_i, n
+/// standard normal and independent, at the end of every interval, so that sample i is off by (q_i − q_{i−1})/interval.
+/// Allan deviation √3·Q/τ. Q in the sensor's unit times s: rad for a gyroscope, m/s for an accelerometer; a sensor that
+/// counts increments of size Δ has Q = Δ/√12. IEEE Std 952-1997, C.1.5. See quantization.hpp for rounding of the
+/// reading itself.
+template <typename Scalar = double>
+struct QuantizationNoise {
+  static constexpr std::string_view name = "quantization noise";
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : normals(term), previous(normals.template draw<Scalar>()) {}
+    Normals normals;
+    Vector3<Scalar> previous;
+  };
+
+  PerAxis<Scalar> coefficient;
+
+  /// Throws std::invalid_argument unless Q is finite and >= 0.
+  constexpr QuantizationNoise(const PerAxis<Scalar>& coefficient_) : coefficient(coefficient_) {
+    require_non_negative("QuantizationNoise", "coefficient Q", coefficient);
+  }
+
+  void apply(Sample<Scalar>& sample, auto& state) const {
+    const Vector3<Scalar> n = state.normals.template draw<Scalar>();
+    sample.value += coefficient.vector().cwiseProduct(n - state.previous) / sample.interval;
+    state.previous = n;
+  }
+
+  void describe(auto&& parameter) const { parameter("coefficient Q", coefficient, SensorUnit{-1}); }
+};
+
+template <typename P>
+QuantizationNoise(const P&) -> QuantizationNoise<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <splinertia/errors/detail/second_order_response.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+#include <type_traits>
+
+namespace splinertia {
+
+/// Vibration of a structure shaken at random: a damped oscillator driven by white noise, with the given standard
+/// deviation (in the sensor's unit), natural frequency (Hz) and damping ratio ζ (narrow-band for ζ ≪ 1, broad for ζ
+/// near 1). Autocovariance σ² e^{−ζω|t|}(cos b + ζω|t| sin b/b), b = ω|t|√(1 − ζ²). Discretised exactly, so that it
+/// does not depend on the rate; it starts in its stationary law. It is no part of the bias. Crandall, Mark, Random
+/// Vibration in Mechanical Systems (1963), 2.3.
+template <typename Scalar = double>
+struct RandomVibration {
+  static constexpr std::string_view name = "random vibration";
+
+  /// What the state is kept in: rounding to float would shift the variance of a vibration that lasts for a million
+  /// samples by percents.
+  using Wide = std::conditional_t<std::same_as<Scalar, float>, double, Scalar>;
+
+  /// (y, y′/ω) ← transition·(y, y′/ω) + noise·n, in units of the standard deviation, which is the same for both.
+  struct Step {
+    Eigen::Matrix<Wide, 2, 2> transition, noise;
+  };
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : for_value(term / "value"), for_rate(term / "rate") {}
+    Normals for_value, for_rate;
+    Vector3<Wide> value = Vector3<Wide>::Zero(), rate = Vector3<Wide>::Zero();
+    ForInterval<Scalar, std::array<Step, 3>> steps{};
+  };
+
+  PerAxis<Scalar> standard_deviation;
+  PerAxis<Scalar> natural_frequency;
+  PerAxis<Scalar> damping_ratio;
+
+  /// Throws std::invalid_argument unless the deviation is finite and >= 0, the others are finite and > 0, and the
+  /// third power of the damping ratio is finite.
+  constexpr RandomVibration(const PerAxis<Scalar>& standard_deviation_, const PerAxis<Scalar>& natural_frequency_,
+                            const PerAxis<Scalar>& damping_ratio_)
+      : standard_deviation(standard_deviation_), natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
+    require_non_negative("RandomVibration", "standard deviation", standard_deviation);
+    require_positive("RandomVibration", "natural frequency", natural_frequency);
+    require_positive("RandomVibration", "damping ratio", damping_ratio);
+    require_factor("RandomVibration", "damping ratio", damping_ratio);
+  }
+
+  void apply(Sample<Scalar>& sample, auto& state) const {
+    const Vector3<Wide> n = state.for_value.template draw<Wide>(), m = state.for_rate.template draw<Wide>();
+    if (sample.first) {
+      state.value = n;
+      state.rate = m;
+    } else {
+      const auto& steps = state.steps(sample.interval, [&] { return make_steps(sample.interval); });
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<int>(axis);
+        const auto& [transition, noise] = steps[axis];
+        const Wide value = state.value[i], rate = state.rate[i];
+        state.value[i] = transition(0, 0) * value + transition(0, 1) * rate + noise(0, 0) * n[i] + noise(0, 1) * m[i];
+        state.rate[i] = transition(1, 0) * value + transition(1, 1) * rate + noise(1, 1) * m[i];
+      }
+    }
+    sample.value += standard_deviation.vector().cwiseProduct(state.value.template cast<Scalar>());
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("standard deviation", standard_deviation, SensorUnit{});
+    parameter("natural frequency", natural_frequency, "Hz");
+    parameter("damping ratio", damping_ratio, "1");
+  }
+
+ private:
+  // What keeps the covariance at the identity, Q = I − ΦΦᵀ, as U·Uᵀ with U upper triangular. For small steps a = ωh the
+  // first diagonal element is O(a³) and lost in rounding from a = 1e-5 on; taken as no less than zero, the error is an
+  // additional noise of at most √eps of the standard deviation a step.
+  [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
+    using std::sqrt;
+    std::array<Step, 3> steps;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Wide a = Wide(2) * pi_of<Wide>() * Wide(natural_frequency[axis]) * Wide(interval);
+      auto& [transition, noise] = steps[axis];
+      transition = oscillator_transition<Wide>(a, Wide(damping_ratio[axis]));
+      // Element by element: Eigen's product would round in another way where it has vectors that add and multiply.
+      const auto covariance = [&t = transition](int i, int j) {
+        return Wide(i == j ? 1 : 0) - (t(i, 0) * t(j, 0) + t(i, 1) * t(j, 1));
+      };
+      noise.setZero();
+      noise(1, 1) = sqrt(std::max<Wide>(covariance(1, 1), Wide(0)));
+      if (noise(1, 1) > Wide(0)) noise(0, 1) = covariance(0, 1) / noise(1, 1);
+      noise(0, 0) = sqrt(std::max<Wide>(covariance(0, 0) - noise(0, 1) * noise(0, 1), Wide(0)));
+    }
+    return steps;
+  }
+};
+
+template <typename P, typename... More>
+RandomVibration(const P&, const More&...) -> RandomVibration<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A bias that walks at random (rate random walk) with density K: it is zero at the first sample and moves by
+/// K·√interval · n, n standard normal, before every other. The bias is in the sample that it is reported with.
+/// K in unit/s/√Hz: rad/s²/√Hz for a gyroscope, m/s³/√Hz for an accelerometer. IEEE Std 952-1997, C.1.3.
+template <typename Scalar = double>
+struct RandomWalk {
+  static constexpr std::string_view name = "random walk";
+  template <typename Normals>
+  struct State {
+    explicit State(StreamKey term) : normals(term) {}
+    Normals normals;
+    Vector3<Scalar> bias = Vector3<Scalar>::Zero();
+  };
+
+  PerAxis<Scalar> density;
+
+  /// Throws std::invalid_argument unless the density is finite and >= 0.
+  constexpr RandomWalk(const PerAxis<Scalar>& density_) : density(density_) {
+    require_non_negative("RandomWalk", "density", density);
+  }
+
+  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& state) const {
+    if (!sample.first) {
+      state.bias +=
+          (density.vector() * square_root(sample.interval)).cwiseProduct(state.normals.template draw<Scalar>());
+    }
+    sample.value += state.bias;
+    sample.bias += state.bias;
+  }
+
+  void describe(auto&& parameter) const { parameter("density", density, SensorUnit{1, true}); }
+};
+
+template <typename P>
+RandomWalk(const P&) -> RandomWalk<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <splinertia/errors/detail/second_order_response.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A sensor that responds as a damped oscillator (a proof mass on a spring, a second-order filter):
+/// y″ + 2ζω y′ + ω² y = ω² x with ω = 2π natural_frequency (Hz), on everything that stands before it in the model, the
+/// bias included. ζ = 1/√2 is Butterworth's, −3 dB at the natural frequency. Discretised exactly for an input that is
+/// linear between samples (ramp invariant); it starts settled.
+template <typename Scalar = double>
+struct SecondOrderBandwidth {
+  static constexpr std::string_view name = "second-order bandwidth";
+
+  /// (y, y′/ω) ← (x₀, 0) + transition·(y − x₀, y′/ω) + ramp·(x₁ − x₀), from sample x₀ to sample x₁.
+  struct Step {
+    Eigen::Matrix<Scalar, 2, 2> transition;
+    Eigen::Matrix<Scalar, 2, 1> ramp;
+  };
+  struct Signal {
+    Vector3<Scalar> input, output, rate;  // rate: y′/ω
+  };
+  struct State {
+    Signal value, bias;
+    ForInterval<Scalar, std::array<Step, 3>> steps{};
+  };
+
+  PerAxis<Scalar> natural_frequency;
+  PerAxis<Scalar> damping_ratio;
+
+  /// Throws std::invalid_argument unless both are finite and > 0, and the third power of the damping ratio finite.
+  constexpr SecondOrderBandwidth(const PerAxis<Scalar>& natural_frequency_, const PerAxis<Scalar>& damping_ratio_)
+      : natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
+    require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
+    require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
+    require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
+  }
+
+  void apply(Sample<Scalar>& sample, State& state) const {
+    if (sample.first) {
+      state.value = {sample.value, sample.value, Vector3<Scalar>::Zero()};
+      state.bias = {sample.bias, sample.bias, Vector3<Scalar>::Zero()};
+      return;
+    }
+    const auto& steps = state.steps(sample.interval, [&] { return make_steps(sample.interval); });
+    advance(state.value, sample.value, steps);
+    advance(state.bias, sample.bias, steps);
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("natural frequency", natural_frequency, "Hz");
+    parameter("damping ratio", damping_ratio, "1");
+  }
+
+ private:
+  static void advance(Signal& signal, Vector3<Scalar>& value, const std::array<Step, 3>& steps) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<int>(axis);
+      const auto& [transition, ramp] = steps[axis];
+      const Scalar before = signal.input[i], change = value[i] - before;
+      const Scalar off = signal.output[i] - before, rate = signal.rate[i];
+      signal.output[i] = before + transition(0, 0) * off + transition(0, 1) * rate + ramp[0] * change;
+      signal.rate[i] = transition(1, 0) * off + transition(1, 1) * rate + ramp[1] * change;
+    }
+    signal.input = value;
+    value = signal.output;
+  }
+
+  [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
+    std::array<Step, 3> steps;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      steps[axis] = make_step(Scalar(2) * pi_of<Scalar>() * natural_frequency[axis] * interval, damping_ratio[axis]);
+    return steps;
+  }
+
+  // a = ωh. With x = x₀ + s·t, y = x − 2ζs/ω, y′ = s is a solution; what is off it moves by the transition alone.
+  [[nodiscard]] static Step make_step(const Scalar& a, const Scalar& damping) {
+    using Matrix = Eigen::Matrix<Scalar, 2, 2>;
+    using Vector = Eigen::Matrix<Scalar, 2, 1>;
+    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                      // follows at once
+    if (!(a > (std::numeric_limits<Scalar>::min)())) return {Matrix::Identity(), Vector::Zero()};  // never moves
+    const Scalar step_response = oscillator_step_response<Scalar>(a, damping);
+    const Matrix transition = oscillator_transition<Scalar>(a, damping);
+    const Scalar ramp = Scalar(1) - (Scalar(2) * damping * step_response + transition(0, 1)) / a;
+    return {transition, Vector(ramp, step_response / a)};
+  }
+};
+
+template <typename P, typename... More>
+SecondOrderBandwidth(const P&, const More&...) -> SecondOrderBandwidth<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

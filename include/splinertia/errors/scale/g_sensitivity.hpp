@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// What the true specific force f adds to the reading of a gyroscope: G·f, with G 3×3 in rad/s per m/s², axes those of
+/// the IMU. Kalibr's A, OpenVINS' T_g.
+template <typename Scalar = double>
+struct GSensitivity {
+  static constexpr std::string_view name = "g-sensitivity";
+  struct State {};
+
+  Matrix3<Scalar> sensitivity;
+
+  /// Throws std::invalid_argument unless all is finite.
+  GSensitivity(const Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
+    require_finite("GSensitivity", "sensitivity", sensitivity);
+  }
+
+  void apply(Sample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }
+
+  void describe(auto&& parameter) const { parameter("sensitivity", sensitivity, "rad/s/(m/s^2)"); }
+};
+
+template <typename P>
+GSensitivity(const P&) -> GSensitivity<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+/// How calibration programs and data sheets write the matrix of misalignment.hpp, and back.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <splinertia/errors/scale/misalignment.hpp>
+#include <splinertia/group/lie_group.hpp>
+
+namespace splinertia {
+
+/// A matrix as Kalibr splits it (imu.yaml of the scale-misalignment model): scale_and_shear·rotation.
+template <typename Scalar>
+struct KalibrMisalignment {
+  Matrix3<Scalar> scale_and_shear;  ///< Kalibr's M: lower triangular, scale factors (near 1) on the diagonal
+  Matrix3<Scalar> rotation;         ///< Kalibr's C_gyro_i: from the IMU's axes to the sensor's
+};
+
+/// M·C: Kalibr's reading is M·C·ω + A·C·f + bias + noise for the gyroscope (its A·C is the GSensitivity), M·f + bias +
+/// noise for the accelerometer.
+template <typename Scalar>
+[[nodiscard]] Misalignment<Scalar> misalignment_from_kalibr(
+    const Matrix3<Scalar>& scale_and_shear, const Matrix3<Scalar>& rotation = Matrix3<Scalar>::Identity()) {
+  return Matrix3<Scalar>(scale_and_shear * rotation);
+}
+
+/// The parts that Kalibr would name: by orthogonalising the rows (Gram–Schmidt), the first of which keeps its
+/// direction. The rotation is proper; of a matrix that mirrors, the last scale factor is negative.
+template <typename Scalar>
+[[nodiscard]] KalibrMisalignment<Scalar> split_misalignment(const Misalignment<Scalar>& misalignment) {
+  const Matrix3<Scalar>& m = misalignment.matrix;
+  const Vector3<Scalar> x = m.row(0).transpose().normalized();
+  const Vector3<Scalar> second = m.row(1).transpose();
+  const Vector3<Scalar> y = (second - x * x.dot(second)).normalized();
+  KalibrMisalignment<Scalar> parts;
+  parts.rotation.row(0) = x.transpose();
+  parts.rotation.row(1) = y.transpose();
+  parts.rotation.row(2) = x.cross(y).transpose();
+  parts.scale_and_shear = (m * parts.rotation.transpose()).template triangularView<Eigen::Lower>();
+  return parts;
+}
+
+/// From percent, as data sheets have it: scale factor errors on the diagonal, cross-axis sensitivities (how much of the
+/// column's axis the row's feels) off it.
+template <typename Scalar>
+[[nodiscard]] Misalignment<Scalar> misalignment_from_percent(const Matrix3<Scalar>& percent) {
+  return Matrix3<Scalar>(Matrix3<Scalar>::Identity() + percent / Scalar(100));
+}
+
+/// What misalignment_from_percent was given.
+template <typename Scalar>
+[[nodiscard]] Matrix3<Scalar> misalignment_percent(const Misalignment<Scalar>& misalignment) {
+  return (misalignment.matrix - Matrix3<Scalar>::Identity()) * Scalar(100);
+}
+
+}  // namespace splinertia

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A scale factor error: the reading is (1 + error) times what it was, and so is the bias in it. 0.01 is one percent.
+/// See misalignment.hpp for axes that are not at right angles, too.
+template <typename Scalar = double>
+struct ScaleFactor {
+  static constexpr std::string_view name = "scale factor";
+  struct State {};
+
+  PerAxis<Scalar> error;
+
+  /// Throws std::invalid_argument unless the error is finite and not −1, which would lose the signal.
+  constexpr ScaleFactor(const PerAxis<Scalar>& error_) : error(error_) {
+    require_finite("ScaleFactor", "error", error);
+    for (const Scalar& e : error) require(e != Scalar(-1), "ScaleFactor", "error", e, "a scale that can be inverted");
+  }
+
+  void apply(Sample<Scalar>& sample, State&) const {
+    sample.value += error.vector().cwiseProduct(sample.value);
+    sample.bias += error.vector().cwiseProduct(sample.bias);
+  }
+
+  void describe(auto&& parameter) const { parameter("error", error, "1"); }
+};
+
+template <typename P>
+ScaleFactor(const P&) -> ScaleFactor<ScalarOfParameter<P>>;
+
+}  // namespace splinertia

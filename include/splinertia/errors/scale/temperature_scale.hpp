@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/bias/temperature.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// A scale factor error in proportion to how far the sensor is from its reference temperature: the reading, and the
+/// bias in it, is (1 + coefficient·(T(t) − reference)) times what it was. Coefficient per K, temperatures in °C; for
+/// T(t) see temperature.hpp.
+template <typename Scalar, TemperatureProfile<Scalar> Profile>
+struct TemperatureScale {
+  static constexpr std::string_view name = "temperature scale";
+  struct State {};
+
+  PerAxis<Scalar> coefficient;
+  Profile temperature;
+  Scalar reference;
+
+  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
+  constexpr TemperatureScale(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
+                             const Scalar& reference_ = Scalar(25))
+      : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
+    require_factor("TemperatureScale", "coefficient", coefficient);
+    require_factor("TemperatureScale", "reference temperature", reference);
+  }
+
+  void apply(Sample<Scalar>& sample, State&) const {
+    const Vector3<Scalar> error = coefficient.vector() * (Scalar(temperature(sample.elapsed)) - reference);
+    sample.value += error.cwiseProduct(sample.value);
+    sample.bias += error.cwiseProduct(sample.bias);
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("coefficient", coefficient, "1/K");
+    describe_profile(temperature, parameter);
+    parameter("reference temperature", reference, "degC");
+  }
+};
+
+template <typename P, typename Profile, typename... More>
+TemperatureScale(const P&, const Profile&, const More&...) -> TemperatureScale<ScalarOfParameter<P>, Profile>;
+
+}  // namespace splinertia

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace splinertia {
+
+/// What is known of the pose T_WB at one time, from two sources.
+template <Pose G, TimePoint Time = std::chrono::nanoseconds>
+struct PosePair {
+  Time time;  ///< of the estimate
+  G reference, estimate;
+};
+
+/// Stamped<G, Time> in the order of time, where G is a pose.
+template <typename R>
+concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::sized_range<const R> &&
+                    requires(const std::ranges::range_value_t<R>& stamped) {
+                      requires TimePoint<std::remove_cvref_t<decltype(stamped.time)>>;
+                      requires Pose<std::remove_cvref_t<decltype(stamped.value)>>;
+                    };
+
+/// Throws std::invalid_argument if there are no poses, one is not finite, or times do not increase.
+template <PoseRange Poses>
+void check_poses(const Poses& poses, std::string_view name) {
+  const auto count = std::ranges::ssize(poses);
+  if (count == 0) refuse<std::invalid_argument>("associate: the ", name, " has no poses");
+  const auto first = std::ranges::begin(poses);
+  for (auto i = count - count; i < count; ++i) {
+    const auto& [time, pose] = first[i];
+    if (!all_finite(position(pose)) || !all_finite(rotation(pose).unit_quaternion().coeffs())) {
+      refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is not finite");
+    }
+    if (!is_finite(time) || (i > 0 && !(time > first[i - 1].time))) {
+      refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is at ", printable(time),
+                                    ", expected increasing times");
+    }
+  }
+}
+
+/// The pose nearest in time, the earlier one of two at the same distance. There must be one.
+template <PoseRange Poses, TimePoint Time>
+[[nodiscard]] const auto& nearest_pose(const Poses& poses, Time time) {
+  const auto first = std::ranges::begin(poses);
+  const auto end = first + std::ranges::ssize(poses);
+  const auto after = std::lower_bound(first, end, time, [](const auto& stamped, Time t) { return stamped.time < t; });
+  if (after == first) return *after;
+  const auto before = after - 1;
+  return after == end || time_between(before->time, time) <= time_between(time, after->time) ? *before : *after;
+}
+
+/// Pairs two trajectories by time: each pose of the shorter one (of the estimate, if they are of the same length) with
+/// the nearest of the longer one, if that is at most `max_difference` seconds away; the others are left out. A pose of
+/// the longer one stands in several pairs if it is the nearest of several. Grupp's evo does the same (its
+/// nearest_time), on times rounded to double seconds: where epoch stamps differ by max_difference to within 2e-7 s it
+/// may decide otherwise. Throws std::invalid_argument for what check_poses refuses, and if there are no pairs.
+template <PoseRange Reference, PoseRange Estimate>
+  requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
+[[nodiscard]] auto associate(const Reference& reference, const Estimate& estimate, double max_difference = 0.01) {
+  using Value = std::ranges::range_value_t<Reference>;
+  if (!(max_difference >= 0) || !is_finite(max_difference)) {
+    refuse<std::invalid_argument>("associate: maximum difference ", max_difference, " s, expected >= 0 s");
+  }
+  check_poses(reference, "reference");
+  check_poses(estimate, "estimate");
+
+  std::vector<PosePair<decltype(Value::value), decltype(Value::time)>> pairs;
+  const auto add = [&](const Value& r, const Value& e) {
+    const double difference = std::abs(to_seconds<double>(time_between(r.time, e.time)));
+    if (difference <= max_difference) pairs.push_back({e.time, r.value, e.value});
+  };
+  if (std::ranges::size(estimate) > std::ranges::size(reference)) {
+    for (const Value& pose : reference) add(pose, nearest_pose(estimate, pose.time));
+  } else {
+    for (const Value& pose : estimate) add(nearest_pose(reference, pose.time), pose);
+  }
+  if (pairs.empty()) {
+    const auto span = [](const auto& poses) {
+      return message(printable(std::ranges::begin(poses)->time), " to ",
+                     printable(std::ranges::begin(poses)[std::ranges::ssize(poses) - 1].time));
+    };
+    refuse<std::invalid_argument>("associate: no pose of the estimate (", span(estimate), ") is within ",
+                                  max_difference, " s of one of the reference (", span(reference), ")");
+  }
+  return pairs;
+}
+
+}  // namespace splinertia

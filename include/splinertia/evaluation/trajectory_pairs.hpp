@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+/// Between which poses relative errors are taken.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/evaluation/trajectory_association.hpp>
+#include <splinertia/group/pose.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Where relative errors are taken: from the first index to the second.
+using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// One after the other, (0, d) (d, 2d) …; or from every index on, overlapping.
+enum class PairSelection { consecutive, all };
+
+/// Indices `delta` apart, of `size` in all. Throws std::invalid_argument for delta = 0 and if there are none.
+[[nodiscard]] inline IndexPairs index_pairs_by_frames(std::size_t size, std::size_t delta,
+                                                      PairSelection selection = PairSelection::consecutive) {
+  IndexPairs indices;
+  const std::size_t step = selection == PairSelection::all ? 1 : delta;
+  if (delta > 0) {
+    for (std::size_t i = 0; i < size && size - i > delta; i += step) indices.emplace_back(i, i + delta);
+  }
+  if (indices.empty()) {
+    refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta, ", expected 1 or more, and less than ", size,
+                                  ", which is how many poses there are");
+  }
+  return indices;
+}
+
+/// Indices between which the estimate has come `delta` metres along its path. Consecutive: the first index at which it
+/// has come as far, or farther. All: the index at which it has come nearest to that far, if to within
+/// tolerance · delta. Throws std::invalid_argument for delta ≤ 0 and if there are none.
+template <Pose G, TimePoint Time>
+[[nodiscard]] IndexPairs index_pairs_by_path(const std::vector<PosePair<G, Time>>& pairs,
+                                             std::type_identity_t<ScalarOf<G>> delta,
+                                             PairSelection selection = PairSelection::consecutive,
+                                             std::type_identity_t<ScalarOf<G>> tolerance = ScalarOf<G>(1) /
+                                                                                           ScalarOf<G>(10)) {
+  using Scalar = ScalarOf<G>;
+  using std::abs;
+  if (!(delta > Scalar(0)) || !is_finite(delta)) {
+    refuse<std::invalid_argument>("index_pairs_by_path: delta ", delta, " m, expected a length > 0");
+  }
+  const auto length = [&](std::size_t i) {
+    return (position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm();
+  };
+  IndexPairs indices;
+  if (selection == PairSelection::consecutive) {
+    std::size_t start = 0;
+    Scalar path(0);
+    for (std::size_t i = 1; i < pairs.size(); ++i) {
+      path += length(i);
+      if (!(path >= delta)) continue;
+      indices.emplace_back(start, i);
+      start = i;
+      path = Scalar(0);
+    }
+  } else {
+    std::vector<Scalar> path(pairs.size(), Scalar(0));
+    for (std::size_t i = 1; i < path.size(); ++i) path[i] = path[i - 1] + length(i);
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const auto miss = [&](auto at) { return abs(*at - path[i] - delta); };
+      const auto next = path.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+      auto best = std::partition_point(next, path.end(), [&](Scalar s) { return s - path[i] < delta; });
+      // The one before is as good or better? Of several at the same place, take the first.
+      if (best == path.end() || (best != next && miss(best - 1) <= miss(best))) {
+        best = std::lower_bound(next, path.end(), *(best - 1));
+      }
+      if (miss(best) <= delta * tolerance) indices.emplace_back(i, static_cast<std::size_t>(best - path.begin()));
+    }
+  }
+  if (indices.empty()) {
+    refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
+                                  " m of path apart");
+  }
+  return indices;
+}
+
+/// Indices between which `delta` seconds pass, to the pose nearest in time, if that is so to within tolerance · delta.
+/// Consecutive: each pair begins where the one before ends, or, after a gap, with the next pose that has a partner.
+/// All: from every pose on, as evaluate_rpe.py of the TUM RGB-D benchmark pairs them. Throws std::invalid_argument for
+/// delta ≤ 0 and if there are none.
+template <Pose G, TimePoint Time>
+[[nodiscard]] IndexPairs index_pairs_by_time(const std::vector<PosePair<G, Time>>& pairs, double delta,
+                                             PairSelection selection = PairSelection::consecutive,
+                                             double tolerance = 0.1) {
+  using std::abs;
+  if (!(delta > 0) || !is_finite(delta)) {
+    refuse<std::invalid_argument>("index_pairs_by_time: delta ", delta, " s, expected a duration > 0");
+  }
+  IndexPairs indices;
+  for (std::size_t i = 0; i + 1 < pairs.size();) {
+    const auto since = [&](const auto& pair) { return to_seconds<double>(time_between(pairs[i].time, pair.time)); };
+    const auto miss = [&](auto at) { return abs(since(*at) - delta); };
+    const auto next = pairs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    auto best = std::partition_point(next, pairs.end(), [&](const auto& pair) { return since(pair) < delta; });
+    if (best == pairs.end() || (best != next && miss(best - 1) <= miss(best))) --best;
+    const auto j = static_cast<std::size_t>(best - pairs.begin());
+    const bool nearby = miss(best) <= delta * tolerance;
+    if (nearby) indices.emplace_back(i, j);
+    i = nearby && selection == PairSelection::consecutive ? j : i + 1;
+  }
+  if (indices.empty()) {
+    refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,
+                                  " s apart");
+  }
+  return indices;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <splinertia/detail/message.hpp>
+#include <splinertia/group/sophus.hpp>
+#include <splinertia/io/stamped_table.hpp>
+#include <string>
+
+namespace splinertia {
+
+/// Makes rotations of the quaternions in the rows of a table, one after the other. Each is normalised and gets the sign
+/// nearer to its predecessor (the first keeps its own), so that the four numbers are continuous where the motion is.
+///
+/// Throws std::runtime_error with file:line for a quaternion whose norm is not 1 within `norm_tolerance`. A norm of 1
+/// to within `exact_norm` is what arithmetic leaves: such a quaternion is taken as it is, so that what the writers
+/// wrote reads back to the same bits.
+class QuaternionTrack {
+ public:
+  static constexpr double norm_tolerance = 1e-3;
+  static constexpr double exact_norm = 1e-12;
+
+  /// Whether the norm is 1 within `norm_tolerance`.
+  [[nodiscard]] static bool is_unit(const Eigen::Quaterniond& q) { return std::abs(q.norm() - 1) <= norm_tolerance; }
+
+  /// The rotation of the next quaternion. Requires is_unit(q).
+  [[nodiscard]] Sophus::SO3d next(const Eigen::Quaterniond& q) {
+    const double norm = q.norm();
+    Eigen::Vector4d coefficients = q.coeffs();
+    if (std::abs(norm - 1) > exact_norm) coefficients /= norm;
+    if (coefficients.dot(previous_) < 0) coefficients = -coefficients;
+    previous_ = coefficients;
+    return rotation_from_unit_quaternion<double>(Eigen::Quaterniond{coefficients});
+  }
+
+  /// The rotation of the next quaternion, which stands in a row of a table.
+  [[nodiscard]] Sophus::SO3d next(const StampedTable& row, const Eigen::Quaterniond& q) {
+    if (!is_unit(q)) row.fail(problem_of(q));
+    return next(q);
+  }
+
+  /// What is wrong with a quaternion that is not unit, as text.
+  [[nodiscard]] static std::string problem_of(const Eigen::Quaterniond& q) {
+    return message("quaternion with w x y z = ", q.w(), ' ', q.x(), ' ', q.y(), ' ', q.z(), " has norm ", q.norm(),
+                   ", expected 1 within ", norm_tolerance);
+  }
+
+ private:
+  Eigen::Vector4d previous_ = Eigen::Vector4d::Zero();
+};
+
+}  // namespace splinertia

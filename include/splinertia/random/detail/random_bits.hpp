@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <splinertia/random/random_stream.hpp>
+#include <type_traits>
+
+namespace splinertia {
+
+/// What std::uniform_random_bit_generator asks for, without the weight of <random>.
+template <typename G>
+concept BitGenerator = std::move_constructible<G> && std::unsigned_integral<std::invoke_result_t<G&>> &&
+                       requires { requires(G::min)() < (G::max)(); };
+
+/// 64 random bits at a time from any uniform random bit generator that can be moved and seeded: with the key itself if
+/// it takes one, else with the key's hash, as the engines of <random> are (those with 32-bit seeds use half of it).
+/// Bits of generators with fewer than 64 are put together; values beyond a power of two are drawn again.
+template <BitGenerator Generator = Xoshiro256>
+class RandomBits {
+ public:
+  constexpr explicit RandomBits(StreamKey key) : generator_(make(key)) {}
+
+  [[gnu::always_inline]] constexpr std::uint64_t operator()() {
+    if constexpr (bits >= 64) {
+      return static_cast<std::uint64_t>(generator_());
+    } else {
+      std::uint64_t result = 0;
+      for (int filled = 0; filled < 64; filled += bits) result = (result << bits) | some();
+      return result;
+    }
+  }
+
+ private:
+  using Result = std::invoke_result_t<Generator&>;
+  static constexpr std::uint64_t range = static_cast<std::uint64_t>((Generator::max)() - (Generator::min)());
+  static constexpr int bits = range == (std::numeric_limits<std::uint64_t>::max)() ? 64 : std::bit_width(range + 1) - 1;
+
+  static constexpr Generator make(StreamKey key) {
+    if constexpr (std::constructible_from<Generator, StreamKey>) {
+      return Generator(key);
+    } else {
+      static_assert(std::constructible_from<Generator, Result>,
+                    "the generator must be seeded: make it constructible from a StreamKey or an integer");
+      return Generator(static_cast<Result>(key.hash()));
+    }
+  }
+
+  constexpr std::uint64_t some() {
+    while (true) {
+      const auto value = static_cast<std::uint64_t>(generator_() - (Generator::min)());
+      if (value >> bits == 0) return value;
+    }
+  }
+
+  Generator generator_;
+};
+
+}  // namespace splinertia

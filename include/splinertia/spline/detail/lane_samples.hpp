@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+/// Evaluating a curve at many times, several at once: evaluate_increments() with a scalar of many lanes. It is the same
+/// code as that of a single time, on the same numbers in the same order, so that results are the same to the bit where
+/// products and sums are rounded one by one; where the compiler fuses them (FMA) it may choose others to fuse.
+///
+/// The samples of a segment share its control points and increments, so that what depends on these alone is computed
+/// once. Nothing branches on a lane: rotations within a segment are within π, where the coefficients are polynomials
+/// (group/detail/stumpff.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <splinertia/detail/flatten.hpp>
+#include <splinertia/group/with_scalar.hpp>
+#include <splinertia/spline/evaluate.hpp>
+#include <splinertia/time.hpp>
+
+namespace splinertia {
+
+/// Curves that can be evaluated at several times at once: splines in float or double, of times that double holds, on a
+/// group that works on lanes, with knots that know their segments.
+template <typename C>
+concept LaneCurve = (std::same_as<typename C::Scalar, float> || std::same_as<typename C::Scalar, double>) &&
+                    (std::same_as<typename C::Time, double> || !std::floating_point<typename C::Time>) &&
+                    HasLanes<typename C::Group, NativeLanes<typename C::Scalar>> && requires(const C& curve) {
+                      curve.increments();
+                      curve.knots().segment(curve.start(), std::size_t{}, C::order);
+                    };
+
+/// A segment of a curve in the form that its samples share: all in lanes.
+template <LaneCurve C>
+class LaneSegment {
+ public:
+  using Real = typename C::Scalar;
+  using L = NativeLanes<Real>;
+  using G = WithScalar<typename C::Group, L>;
+
+  LaneSegment(const C& curve, std::size_t s)
+      : first_(with_scalar<L>(curve.control_points()[s])), knots_(curve.knots(), s) {
+    for (std::size_t j = 0; j < increments_.size(); ++j) {
+      for (int i = 0; i < increments_[j].size(); ++i) increments_[j][i] = L(curve.increments()[s + j][i]);
+    }
+  }
+
+  /// The motion at the samples from i on, as many as lanes, whatever is behind the end of the segment included.
+  template <int D>
+  [[nodiscard]] Motion<G, D> evaluate(const auto& times, std::size_t i) const {
+    return evaluate_increments<D>(
+        first_, [this](std::size_t j) -> const Tangent<G>& { return increments_[j]; },
+        knots_.template basis<D, Real>(lane_times(times, i)));
+  }
+
+ private:
+  using TimeLanes = Lanes<double, L::size, vector_bytes>;
+
+  // As knots take them: seconds, or ticks since the beginning of the segment.
+  [[nodiscard]] TimeLanes lane_times(const auto& times, std::size_t i) const {
+    if constexpr (requires { times.template lanes<TimeLanes>(i); }) {
+      return times.template lanes<TimeLanes>(i);
+    } else {
+      std::array<double, L::size> t;
+      for (std::size_t l = 0; l < t.size(); ++l) {
+        if constexpr (std::floating_point<typename C::Time>) {
+          t[l] = times(i + l);
+        } else {
+          t[l] = static_cast<double>(time_between(knots_.begin(), times(i + l)).count());
+        }
+      }
+      return TimeLanes::load(t.data());
+    }
+  }
+
+  G first_;
+  std::array<Tangent<G>, C::order - 1> increments_;
+  typename std::remove_cvref_t<decltype(std::declval<const C&>().knots())>::template Segment<C::order> knots_;
+};
+
+/// Calls write(i, motion) for samples first … first + count − 1 at times(first), …, in ascending order, with the motion
+/// of samples i, i + 1, … in its lanes. The lanes behind the last sample of a segment hold no samples: what was written
+/// of them is written again, or is behind the last sample of all. Requires all times on the curve, in ascending order;
+/// the last may be behind its end by rounding.
+template <int D, LaneCurve C>
+inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first, std::size_t count, const auto& write) {
+  constexpr std::size_t lanes = LaneSegment<C>::L::size;
+  const std::size_t points = curve.control_points().size(), end = first + count;
+  const auto curve_end = curve.end();
+  const auto segment_of = [&](std::size_t i) {
+    return curve.knots().segment((std::min)(times(i), curve_end), points, C::order);
+  };
+  for (std::size_t i = first; i < end;) {
+    const std::size_t s = segment_of(i);
+    std::size_t segment_end = end;
+    if (s + 1 < curve.segments()) {
+      const double intervals = times.intervals(curve.knots().knot(s + 1, C::order) - times(i));
+      if (intervals < static_cast<double>(end - i)) segment_end = i + 1 + static_cast<std::size_t>(intervals);
+      segment_end = std::clamp(segment_end, i + 1, end);
+      // The estimate is off by one at most; what belongs to a segment is for the knots to say.
+      while (segment_end > i + 1 && segment_of(segment_end - 1) != s) --segment_end;
+      while (segment_end < end && segment_of(segment_end) == s) ++segment_end;
+    }
+    call_flattened([&] {
+      // Copies, that nothing written can change: what depends on these alone is computed before the loop.
+      const LaneSegment<C> segment(curve, s);
+      const auto at = times;
+      const auto to = write;
+      const std::size_t last = segment_end;
+      for (std::size_t n = i; n < last; n += lanes) to(n, segment.template evaluate<D>(at, n));
+      return 0;
+    });
+    i = segment_end;
+  }
+}
+
+/// The same for any curve: one by one where several at once cannot be.
+template <int D, typename C>
+inline void for_each_sample(const C& curve, const auto& times, std::size_t first, std::size_t count,
+                            const auto& write) {
+  if constexpr (LaneCurve<C>) {
+    evaluate_lanes<D>(curve, times, first, count, write);
+  } else {
+    const auto end = curve.end();
+    for (std::size_t i = first; i < first + count; ++i) {
+      write(i, curve.template evaluate<D>(std::min<typename C::Time>(times(i), end)));
+    }
+  }
+}
+
+}  // namespace splinertia

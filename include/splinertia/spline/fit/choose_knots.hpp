@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+/// How far apart knots should be: as far as a goal for the residuals allows, or as cross-validation finds best.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/spline/fit/fit.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Throws std::invalid_argument, naming whose goal it is, unless every component is finite and positive.
+template <LieGroup G>
+void check_goal(const char* whose, const Tangent<G>& goal) {
+  for (int i = 0; i < goal.size(); ++i) {
+    if (is_finite(goal[i]) && goal[i] > ScalarOf<G>(0)) continue;
+    refuse<std::invalid_argument>(whose, ": component ", i, " of the goal is ", goal[i],
+                                  ", expected a finite number > 0");
+  }
+}
+
+/// The options for the many fits of a search. Most are with knots too far apart, which neither shows what an outlier is
+/// nor is mended by iterations. So where the loss is robust, outliers are those of a fit with a segment for every four
+/// poses, further off than outlier_limit times the goal (or the standard deviation, where there is none); they get the
+/// weight 0, and the rest is a matter of squares. Poses of which most are further off are none with outliers; they miss
+/// the goal, and all keep their weight.
+template <typename Curve>
+[[nodiscard]] FitOptions<Curve> search_options(FitOptions<Curve> options, const PosesOf<Curve>& data,
+                                               const std::optional<Tangent<typename Curve::Group>>& goal) {
+  using Scalar = typename Curve::Scalar;
+  if (!options.knots && !options.knot_interval) options.knot_interval = 1;
+  check(options, data.size());
+  const std::size_t segments = (data.size() + 3) / 4;
+  if (!options.loss.is_squares() && segments + Curve::order - 1 <= data.size()) {
+    FitOptions<Curve> finest = options;
+    finest.knots.reset();
+    finest.knot_interval = to_seconds<double>(data.back().time - data.front().time) / static_cast<double>(segments);
+    if (goal) finest.standard_deviation = goal;
+    const auto outliers = fit<Curve>(data, finest).outliers;
+    if (options.weights.empty()) options.weights.assign(data.size(), Scalar(1));
+    if (outliers.size() < data.size() / 2) {
+      for (const std::size_t i : outliers) options.weights[i] = Scalar(0);
+    }
+  }
+  options.loss = RobustLoss::squares();
+  options.most_iterations = (std::min)(options.most_iterations, 10);
+  return options;
+}
+
+/// The longest knot interval, to a twentieth, with which fit() brings the RMS of every component of the residuals down
+/// to `goal` (rad and m for SO3xR3; with a robust loss, of the poses that are no outliers, see search_options). It
+/// halves the interval, from one segment for a thousand poses on, until that holds, and then searches between the last
+/// two.
+///
+/// Throws std::runtime_error if no interval does that has at least as many poses as control points, and
+/// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
+template <typename Curve, StampedPoses Poses>
+[[nodiscard]] double coarsest_knot_interval(const Poses& poses, const Tangent<typename Curve::Group>& goal,
+                                            FitOptions<Curve> options = {}) {
+  check_goal<typename Curve::Group>("coarsest_knot_interval", goal);
+  const auto data = fit_data<Curve>(poses, "coarsest_knot_interval");
+  options = search_options<Curve>(std::move(options), data, goal);
+  options.knots.reset();
+  const double span = to_seconds<double>(data.back().time - data.front().time);
+  Tangent<typename Curve::Group> reached;
+  const auto interval_of = [&](std::size_t segments) { return span / static_cast<double>(segments); };
+  const auto good = [&](std::size_t segments) {
+    options.knot_interval = interval_of(segments);
+    reached = fit<Curve>(data, options).residuals.component_rms;
+    return (reached.array() <= goal.array()).all();
+  };
+  // Of fewer poses than control points of one segment, fit() says so.
+  const std::size_t most = data.size() < Curve::order ? 1 : data.size() - Curve::order + 1;
+  std::size_t too_few = 0, enough = std::max<std::size_t>(1, data.size() / 1000);
+  while (enough <= most && !good(enough)) {
+    too_few = enough;
+    enough = enough < most ? (std::min)(2 * enough, most) : most + 1;
+  }
+  if (enough > most) {
+    refuse<std::runtime_error>("coarsest_knot_interval: with knots ", interval_of(most),
+                               " s apart, as many as there are poses, the residuals still are up to ",
+                               reached.cwiseQuotient(goal).maxCoeff(), " times the goal");
+  }
+  while (enough - too_few > std::max<std::size_t>(1, enough / 20)) {
+    const std::size_t middle = too_few + (enough - too_few) / 2;
+    (good(middle) ? enough : too_few) = middle;
+  }
+  return interval_of(enough);
+}
+
+/// What cross-validation found.
+struct KnotIntervalError {
+  double knot_interval;  ///< s
+  double error;          ///< of the poses left out: geometric mean of the RMS of the components
+};
+struct CrossValidation {
+  double knot_interval;  ///< s: the longest that is nearly as good as the best
+  std::vector<KnotIntervalError> tried;
+};
+
+/// The knot interval that predicts poses best that it was not fitted to: every fourth is left out, and then those in
+/// the middle between. Of the intervals within `tolerance` of the least error it takes the longest. From one interval
+/// to the next it goes down by the root of two, from a segment for 512 poses on, until the error has risen twice.
+///
+/// It asks that the noise of neighbouring poses is independent: of a trajectory that an estimator has smoothed, the
+/// finest interval is always the best. Throws as fit() does.
+template <typename Curve, StampedPoses Poses>
+[[nodiscard]] CrossValidation cross_validated_knot_interval(const Poses& poses, FitOptions<Curve> options = {},
+                                                            double tolerance = 0.02) {
+  using Scalar = typename Curve::Scalar;
+  constexpr std::size_t every = 4;
+  const auto data = fit_data<Curve>(poses, "cross_validated_knot_interval");
+  options = search_options<Curve>(std::move(options), data, {});
+  options.knots.reset();
+  const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
+  const double span = to_seconds<double>(data.back().time - data.front().time);
+
+  // A component that never moves has no error but rounding, which says nothing about an interval.
+  Scalar size(1);
+  for (const auto& pose : data) {
+    size = (std::max)(size, Scalar(GroupTraits<typename Curve::Group>::log(pose.value).cwiseAbs().maxCoeff()));
+  }
+  const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * size, least_square = rounding * rounding;
+
+  const auto error_of = [&](double interval) {
+    options.knot_interval = interval;
+    Tangent<typename Curve::Group> squares = Tangent<typename Curve::Group>::Zero();
+    std::size_t count = 0;
+    for (const std::size_t first : {std::size_t(1), std::size_t(3)}) {
+      options.weights = given;
+      // The ends stay, or the curve would be predicted beyond its data.
+      for (std::size_t i = first; i + 1 < data.size(); i += every) options.weights[i] = Scalar(0);
+      const Fit<Curve> result = fit<Curve>(data, options);
+      for (std::size_t i = first; i + 1 < data.size(); i += every) {
+        if (given[i] == Scalar(0)) continue;
+        squares += result.residuals.poses[i].cwiseAbs2();
+        ++count;
+      }
+    }
+    squares /= static_cast<Scalar>(std::max<std::size_t>(count, 1));
+    return std::exp(static_cast<double>((squares.array().max)(least_square).log().mean()) / 2);
+  };
+
+  CrossValidation result{span, {}};
+  double least = std::numeric_limits<double>::infinity();
+  int risen = 0;
+  const double most = 0.6 * static_cast<double>(data.size()) - Curve::order;
+  for (double segments = (std::max)(1.0, static_cast<double>(data.size()) / 512); segments <= (std::max)(1.0, most);
+       segments *= std::sqrt(2.0)) {
+    const double interval = span / std::round(segments);
+    if (!result.tried.empty() && interval == result.tried.back().knot_interval) continue;
+    result.tried.push_back({interval, error_of(interval)});
+    risen = result.tried.back().error > least * (1 + tolerance) ? risen + 1 : 0;
+    least = (std::min)(least, result.tried.back().error);
+    if (risen == 2) break;
+  }
+  for (const auto& [interval, error] : result.tried) {
+    if (error <= least * (1 + tolerance)) {
+      result.knot_interval = interval;
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/spline/fit/detail/banded_system.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// The curve with control point i moved by X_i exp(step_i).
+template <typename Curve>
+[[nodiscard]] Curve moved(const Curve& curve, const std::vector<Tangent<typename Curve::Group>>& step) {
+  using G = typename Curve::Group;
+  std::vector<G> points = curve.control_points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = GroupTraits<G>::compose(points[i], GroupTraits<G>::exp(step[i]));
+  }
+  return Curve(curve.knots(), std::move(points));
+}
+
+/// The sum of several terms over one curve, for minimize(): each adds its squares at a curve to a BandedSystem, and
+/// lets control points meet that are at most Reach apart.
+template <typename Curve, int Reach, typename... Terms>
+class CurveModel {
+ public:
+  using G = typename Curve::Group;
+  using Scalar = typename Curve::Scalar;
+  using System = BandedSystem<Scalar, DofOf<G>, Reach>;
+
+  explicit CurveModel(std::reference_wrapper<const Terms>... terms) : terms_(terms...) {}
+
+  Scalar linearize(const Curve& curve, System& system) const {
+    return std::apply([&](const auto&... term) { return (term.add(curve, system) + ...); }, terms_);
+  }
+
+  [[nodiscard]] Curve moved(const Curve& curve, const typename System::Vector& step) const {
+    return splinertia::moved(curve, step.blocks);
+  }
+
+ private:
+  std::tuple<const Terms&...> terms_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+/// Stamped poses as a curve of another group, or with time of another type, takes them.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <ranges>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/group/known_groups.hpp>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+#include <vector>
+
+namespace splinertia {
+
+/// Anything with a time and a value on a group, one after the other.
+template <typename Poses>
+concept StampedPoses =
+    std::ranges::random_access_range<Poses> && requires(const std::ranges::range_value_t<Poses>& pose) {
+      requires TimePoint<std::remove_cvref_t<decltype(pose.time)>>;
+      requires LieGroup<std::remove_cvref_t<decltype(pose.value)>>;
+    };
+
+/// `pose` on the group G: itself, or where both keep poses in three dimensions, the same pose.
+template <LieGroup G, LieGroup From>
+[[nodiscard]] G as_group(const From& pose) {
+  if constexpr (std::same_as<G, From>) {
+    return pose;
+  } else {
+    static_assert(Pose<G> && Pose<From>, "the poses are of another group than the curve");
+    return make_pose<G>(rotation(pose), position(pose));
+  }
+}
+
+/// The poses as Curve takes them. Elements that have drifted off their group by up to 0.001 (the norm of a quaternion)
+/// are normalised. Throws std::invalid_argument, naming the pose and `whose` demand it is, unless they are finite, on
+/// their group and in ascending order of time, no two of the same.
+template <typename Curve, StampedPoses Poses>
+[[nodiscard]] PosesOf<Curve> fit_data(const Poses& poses, const char* whose) {
+  using G = typename Curve::Group;
+  using Time = typename Curve::Time;
+  const auto fault = [&](std::size_t i, const auto&... text) {
+    refuse<std::invalid_argument>(whose, ": pose ", i, text...);
+  };
+  std::vector<Stamped<G, Time>> data;
+  data.reserve(std::ranges::size(poses));
+  for (const auto& pose : poses) {
+    const std::size_t i = data.size();
+    const Time time = as_time<Time>(pose.time);
+    if (!is_finite(pose.time)) fault(i, " is at time ", printable(pose.time), ", expected a finite number");
+    if (i > 0 && !(time > data.back().time)) {
+      fault(i, " is at time ", printable(time), ", expected a later one than ", printable(data.back().time),
+            ", that of the pose before it");
+    }
+    G value = as_group<G>(pose.value);
+    if constexpr (requires { GroupTraits<G>::normalized(value); }) {
+      using Scalar = ScalarOf<G>;
+      const Scalar drift = GroupTraits<G>::drift(value), tolerance = Scalar(1) / Scalar(1000);
+      if (!(drift <= tolerance)) {
+        fault(i, " is off its group by ", drift, ", expected at most ", tolerance, " (the norm of a rotation is 1)");
+      }
+      value = GroupTraits<G>::normalized(value);
+    }
+    const Tangent<G> coordinates = GroupTraits<G>::log(value);
+    for (int row = 0; row < coordinates.size(); ++row) {
+      if (!is_finite(coordinates[row])) fault(i, " is not finite");
+    }
+    data.push_back({time, value});
+  }
+  if (!data.empty()) check_span(whose, "poses", data.front().time, data.back().time);
+  return data;
+}
+
+/// The pose on the shortest way between its neighbours at `time`, the first before them all and the last behind. `from`
+/// is where to look first, and where it was found: successive times take constant time each.
+template <LieGroup G, typename Time>
+[[nodiscard]] G pose_between(const std::vector<Stamped<G, Time>>& poses, Time time, std::size_t& from) {
+  using Scalar = ScalarOf<G>;
+  if (time <= poses.front().time) return poses.front().value;
+  if (time >= poses.back().time) return poses.back().value;
+  while (poses[from + 1].time <= time) ++from;
+  const auto& [t0, x0] = poses[from];
+  const auto& [t1, x1] = poses[from + 1];
+  const Scalar share = to_seconds<Scalar>(time - t0) / to_seconds<Scalar>(t1 - t0);
+  return GroupTraits<G>::compose(x0, GroupTraits<G>::exp(share * increment<G>(x0, x1)));
+}
+
+}  // namespace splinertia

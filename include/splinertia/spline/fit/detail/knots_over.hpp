@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+/// Knots for a curve over stamped poses, and where it starts from.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/nonuniform_knots.hpp>
+#include <splinertia/spline/uniform_knots.hpp>
+#include <splinertia/time.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Throws std::invalid_argument, naming the option, unless they make sense for so many poses.
+template <typename Curve>
+void check(const FitOptions<Curve>& options, std::size_t poses) {
+  const auto all_positive = [](const auto& values) {
+    bool positive = true;
+    for (int i = 0; i < values.size(); ++i) positive = positive && values[i] > 0 && is_finite(values[i]);
+    return positive;
+  };
+  if (poses < 2) refuse<std::invalid_argument>("fit: ", poses, " poses, expected at least 2");
+  if (options.knots && options.knot_interval) {
+    refuse<std::invalid_argument>("fit: expected knot_interval or knots, and not both");
+  }
+  if (options.knot_interval) require_positive("fit", "knot_interval", *options.knot_interval);
+  if (options.standard_deviation && !all_positive(*options.standard_deviation)) {
+    refuse<std::invalid_argument>("fit: expected every component of standard_deviation to be a finite number > 0");
+  }
+  if (!options.weights.empty() && options.weights.size() != poses) {
+    refuse<std::invalid_argument>("fit: ", options.weights.size(), " weights for ", poses,
+                                  " poses, expected one each, or none");
+  }
+  for (std::size_t i = 0; i < options.weights.size(); ++i) {
+    if (!(options.weights[i] >= 0) || !is_finite(options.weights[i])) {
+      refuse<std::invalid_argument>("fit: weight ", i, " is ", options.weights[i], ", expected a finite number >= 0");
+    }
+  }
+  if (options.smoothness) {
+    const int derivative = options.smoothness->derivative;
+    if (derivative < 2 || derivative > 3 || derivative >= Curve::order) {
+      refuse<std::invalid_argument>("fit: smoothness of derivative ", derivative,
+                                    ", expected 2 or 3, and less than the order, ", Curve::order);
+    }
+    if (!all_positive(options.smoothness->density)) {
+      refuse<std::invalid_argument>("fit: expected every component of smoothness.density to be a finite number > 0");
+    }
+  }
+  require_positive("fit", "outlier_limit", options.outlier_limit);
+  require(options.most_iterations > 0, "fit", "most_iterations", options.most_iterations, "at least 1");
+}
+
+/// Knots of `segments` equal segments from `first` to `last`, or (integer time) a little later.
+template <typename K>
+[[nodiscard]] K even_knots(typename K::Time first, typename K::Time last, std::size_t segments, int order) {
+  using Time = typename K::Time;
+  if constexpr (requires(const K& knots) { knots.interval; }) {
+    if constexpr (std::floating_point<Time>) {
+      K knots{first, (last - first) / static_cast<Time>(segments)};
+      while (knots.knot(segments, order) < last) knots.interval = next_time(knots.interval);
+      return knots;
+    } else {
+      const auto count = static_cast<typename Time::rep>(segments);
+      const Time span = last - first;
+      return {first, span / count + Time(span % count > Time::zero() ? 1 : 0)};
+    }
+  } else {
+    // As many knots at the ends as the order: there the curve ends at its first and its last control point.
+    std::vector<Time> knots(static_cast<std::size_t>(order - 1), first);
+    const double length = to_seconds<double>(last - first) / static_cast<double>(segments);
+    for (std::size_t i = 0; i < segments; ++i) knots.push_back(after(first, static_cast<double>(i) * length));
+    knots.insert(knots.end(), static_cast<std::size_t>(order), last);
+    return {std::move(knots)};
+  }
+}
+
+/// The knots that the options ask for over these poses, and the number of control points. A pose that is behind the
+/// last knot by rounding alone is moved onto it. Throws std::invalid_argument if the knots do not reach, or are a
+/// hundred times as many as there are poses.
+template <typename Curve>
+[[nodiscard]] std::pair<KnotsOf<Curve>, std::size_t> knots_over(PosesOf<Curve>& poses,
+                                                                const FitOptions<Curve>& options) {
+  using K = KnotsOf<Curve>;
+  constexpr std::size_t k = Curve::order;
+  const auto first = poses.front().time, last = poses.back().time;
+  const auto segments_of = [&](double span, double interval) {
+    // As many as span/interval if that is an integer but for rounding.
+    const double quotient = span / interval;
+    const double segments = (std::max)(1.0, std::ceil(quotient * (1 - 1e-9)));
+    const double most = 100 * static_cast<double>(poses.size());
+    if (!(segments <= most)) {
+      refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s are more than ", most,
+                                    ", a hundred times the poses; expected them further apart");
+    }
+    return static_cast<std::size_t>(segments);
+  };
+  if (options.knot_interval) {
+    const std::size_t segments = segments_of(to_seconds<double>(last - first), *options.knot_interval);
+    return {even_knots<K>(first, last, segments, Curve::order), segments + k - 1};
+  }
+  K knots = *options.knots;
+  std::size_t control_points;
+  if constexpr (requires { knots.interval; }) {
+    knots.check(k, Curve::order);
+    control_points = segments_of((std::max)(0.0, to_seconds<double>(time_between(knots.start, last))),
+                                 to_seconds<double>(knots.interval)) +
+                     k - 1;
+    knots.check(control_points, Curve::order);
+    const auto end = knots.domain(control_points, Curve::order).end;
+    for (auto pose = poses.rbegin(); pose != poses.rend() && pose->time > end; ++pose) pose->time = end;
+  } else {
+    if (knots.knots.size() < 2 * k) {
+      refuse<std::invalid_argument>("fit: ", knots.knots.size(), " knots, expected at least ", 2 * k,
+                                    ", twice the order of the curve");
+    }
+    control_points = knots.knots.size() - k;
+    knots.check(control_points, Curve::order);
+  }
+  const auto domain = knots.domain(control_points, Curve::order);
+  if (first < domain.start || poses.back().time > domain.end) {
+    refuse<std::invalid_argument>("fit: poses from ", printable(first), " to ", printable(last),
+                                  ", but the knots reach from ", printable(domain.start), " to ", printable(domain.end),
+                                  "; expected them to reach over all poses");
+  }
+  return {std::move(knots), control_points};
+}
+
+/// The curve whose control points are the poses at their times, which smooths but misses them: where fit() starts.
+template <typename Curve>
+[[nodiscard]] Curve poses_at_control_points(const PosesOf<Curve>& poses, KnotsOf<Curve> knots,
+                                            std::size_t control_points) {
+  std::vector<typename Curve::Group> points;
+  points.reserve(control_points);
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < control_points; ++i) {
+    points.push_back(pose_between(poses, knots.control_point_time(i, Curve::order), from));
+  }
+  return Curve(std::move(knots), std::move(points));
+}
+
+}  // namespace splinertia

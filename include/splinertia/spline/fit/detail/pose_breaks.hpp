@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+/// Steps between poses that no motion explains: jumps of an estimator, and single poses that are wrong.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/time.hpp>
+#include <vector>
+
+namespace splinertia::detail {
+
+/// By how much the step from pose i to the next differs from what the step from pose `beside` on lets expect. Steps of
+/// unequal lengths may differ by as much more as an acceleration over both makes of it, beside two of the length
+/// `usual` (s): in key frames, a short step stands beside a long pause.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] Tangent<G> unexpected_step(const std::vector<Stamped<G, Time>>& poses, std::size_t i, std::size_t beside,
+                                         double usual) {
+  using Scalar = ScalarOf<G>;
+  const auto step = [&](std::size_t k) { return increment<G>(poses[k].value, poses[k + 1].value); };
+  const auto length = [&](std::size_t k) { return to_seconds<Scalar>(poses[k + 1].time - poses[k].time); };
+  const Scalar own = length(i), other = length(beside), square = static_cast<Scalar>(usual * usual);
+  const Scalar allowance = own * (own + other) / (2 * square);
+  return (step(i) - own / other * step(beside)).cwiseAbs() / (std::max)(Scalar(1), allowance);
+}
+
+/// The medians of 17 neighbours of each, at the ends of the nearest 17; at least that of all.
+template <typename Vector>
+[[nodiscard]] std::vector<Vector> usual_beside(const std::vector<Vector>& all) {
+  using Scalar = typename Vector::Scalar;
+  const std::size_t window = std::min<std::size_t>(17, all.size());
+  std::vector<Vector> usual(all.size());
+  std::vector<Scalar> values;
+  const auto median = [&](std::size_t from, std::size_t count, Eigen::Index row) {
+    values.clear();
+    for (std::size_t i = from; i < from + count; ++i) values.push_back(all[i][row]);
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  for (Eigen::Index row = 0; row < Vector::SizeAtCompileTime; ++row) {
+    const Scalar of_all = median(0, all.size(), row);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::size_t from = (std::min)(i > window / 2 ? i - window / 2 : 0, all.size() - window);
+      usual[i][row] = (std::max)(of_all, median(from, window, row));
+    }
+  }
+  return usual;
+}
+
+/// The i, ascending, for which the step from pose i to the next is a break: in a component, neither of the steps beside
+/// it lets it expect, by ten times what is usual there, and by more than rounding. A motion is no break if it lasts for
+/// nine poses or more. There are none among fewer than eight poses.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] std::vector<std::size_t> breaks_between(const std::vector<Stamped<G, Time>>& poses) {
+  using Scalar = ScalarOf<G>;
+  std::vector<std::size_t> breaks;
+  if (poses.size() < 8) return breaks;
+  const std::size_t steps = poses.size() - 1;
+  const double interval = median_interval(poses);
+  std::vector<Tangent<G>> unexpected(steps - 1);
+  for (std::size_t i = 0; i + 1 < steps; ++i) unexpected[i] = unexpected_step(poses, i, i + 1, interval);
+  const std::vector<Tangent<G>> usual = usual_beside(unexpected);
+  const auto size = [](const G& pose) { return GroupTraits<G>::log(pose).cwiseAbs().maxCoeff(); };
+  const Scalar rounding =
+      64 * std::numeric_limits<Scalar>::epsilon() * (1 + size(poses.front().value) + size(poses.back().value));
+  for (std::size_t i = 0; i < steps; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i + 1, behind = i + 1 < steps ? i + 1 : i - 1;
+    const Tangent<G> least =
+        unexpected_step(poses, i, before, interval).cwiseMin(unexpected_step(poses, i, behind, interval));
+    const Tangent<G> limit = (10 * usual[(std::min)(i, steps - 2)]).cwiseMax(rounding);
+    if ((least.array() > limit.array()).any()) breaks.push_back(i);
+  }
+  return breaks;
+}
+
+}  // namespace splinertia::detail

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/product.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/fit/robust_loss.hpp>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// f(first row, number of rows) for each part of a tangent vector that is a distance by itself, as two constants: the
+/// factors of a product, or all of it.
+template <typename G>
+struct TangentParts {
+  static void for_each(const auto& f) { f(std::integral_constant<int, 0>{}, std::integral_constant<int, DofOf<G>>{}); }
+};
+template <typename... F>
+struct TangentParts<Product<F...>> {
+  static void for_each(const auto& f) {
+    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
+      (f(std::integral_constant<int, Product<F...>::template offset<Index>>{}, std::integral_constant<int, DofOf<F>>{}),
+       ...);
+    }(std::index_sequence_for<F...>{});
+  }
+};
+
+/// The distances of a curve from stamped poses as squares to minimise: r = log(pose⁻¹ · curve) over the standard
+/// deviation, through a loss: of each factor of a product by itself, so that a position that jumps leaves the rotation
+/// its weight.
+template <typename Curve>
+class PoseTerm {
+ public:
+  using G = typename Curve::Group;
+  using Scalar = typename Curve::Scalar;
+
+  /// `poses` and `weights` (one each, or none) are kept by reference.
+  PoseTerm(std::reference_wrapper<const PosesOf<Curve>> poses,
+           std::reference_wrapper<const std::vector<Scalar>> weights, const Tangent<G>& standard_deviation,
+           const RobustLoss& loss)
+      : poses_(poses), weights_(weights), inverse_deviation_(standard_deviation.cwiseInverse()), loss_(loss) {}
+
+  template <typename System>
+  Scalar add(const Curve& curve, System& system) const {
+    using std::sqrt;
+    Scalar cost(0);
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      const Scalar weight = weights_.empty() ? Scalar(1) : weights_[i];
+      if (weight == Scalar(0)) continue;
+      const auto at = curve.template linearize<0>(poses_[i].time);
+      const Tangent<G> r = increment<G>(poses_[i].value, at.value);
+      const Tangent<G> whitened = inverse_deviation_.cwiseProduct(r);
+      Jacobian<G> by_value = Jacobian<G>::Identity();
+      if constexpr (!is_commutative<G>) by_value = right_jacobian_inverse<G>(r);
+      TangentParts<G>::for_each([&](auto first, auto rows) {
+        using Part = Eigen::Matrix<Scalar, rows, 1>;
+        using PartJacobian = Eigen::Matrix<Scalar, rows, rows>;
+        const Part part = whitened.template segment<rows>(first);
+        const Scalar square = weight * part.squaredNorm();
+        cost += loss_.cost(square);
+        const Scalar root = sqrt(weight * loss_.weight(square));
+        const PartJacobian outer = (root * inverse_deviation_.template segment<rows>(first)).asDiagonal() *
+                                   by_value.template block<rows, rows>(first, first);
+        std::array<PartJacobian, Curve::order> J;
+        for (std::size_t j = 0; j < J.size(); ++j) {
+          J[j] = outer.lazyProduct(at.value_jacobian[j].template block<rows, rows>(first, first));
+        }
+        system.template add<first>(at.first, Part(root * part), J);
+      });
+    }
+    return cost;
+  }
+
+ private:
+  const PosesOf<Curve>& poses_;
+  const std::vector<Scalar>& weights_;
+  Tangent<G> inverse_deviation_;
+  RobustLoss loss_;
+};
+
+}  // namespace splinertia

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+/// Least squares on the manifold: the spline that lies nearest to stamped poses.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <ranges>
+#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/fit/fit_problem.hpp>
+#include <splinertia/spline/spline.hpp>
+#include <utility>
+
+namespace splinertia {
+
+/// The spline nearest to the poses:
+///
+///   using Curve = Spline<SO3xR3<double>, 4>;
+///   auto fit = splinertia::fit<Curve>(poses, {.knot_interval = 0.05});
+///   fit.spline;  fit.residuals.rms;  fit.outliers;  fit.gaps;
+///
+/// It minimises Σ loss(weight · |log(pose⁻¹ · curve)/standard_deviation|²) + smoothness over the control points, from
+/// the poses at their times on, by damped Gauss–Newton steps on the group. Rⁿ with squares takes one; a second shows
+/// that. Memory and time are linear in the number of poses.
+///
+/// `poses` is any range of Stamped: of the curve's group, or of SO3xR3 for SE3 and the other way round; of its time, or
+/// nanoseconds for seconds and the other way round. The sign of a quaternion does not matter.
+///
+/// Throws std::invalid_argument for fewer than two poses, poses that are not finite, not on their group, or not in
+/// ascending order of time; and options that make no sense. Where there are too few poses, Fit::gaps and
+/// Fit::held_control_points say so.
+template <typename Curve, StampedPoses Poses>
+  requires LieGroupWithJacobians<typename Curve::Group>
+[[nodiscard]] Fit<Curve> fit(const Poses& poses, const FitOptions<Curve>& options = {}) {
+  const auto fit_once = [&](const FitOptions<Curve>& with) {
+    FitProblem<Curve> problem(poses, with);
+    problem.solve();
+    Curve curve = problem.curve();
+    return std::move(problem).report(std::move(curve));
+  };
+  Fit<Curve> result = fit_once(options);
+  if (!result.knot_choice) return result;
+  // The choice is made before the curve is known. Where the curve then turns too far from one control point to the
+  // next, or leaves out more poses than chance does, knots nearer together are tried.
+  const auto turns_too_far = [](const Fit<Curve>& fit) {
+    const auto& increments = fit.spline.increments();
+    return std::any_of(increments.begin(), increments.end(), [](const auto& d) {
+      return static_cast<double>(TurnAngle<typename Curve::Group>::of(d)) > largest_turn;
+    });
+  };
+  const auto outliers = [](const Fit<Curve>& fit) { return fit.outliers.size(); };
+  const std::size_t few = std::ranges::size(poses) / 50;
+  for (int tries = 0; tries < 4; ++tries) {
+    // An outlier may turn control points as far where no pose turns so fast.
+    const bool fast = 2 * result.knot_choice->interval > result.knot_choice->unambiguous;
+    const bool turns = fast && turns_too_far(result);
+    if (!turns && (outliers(result) <= few || result.knot_choice->limit == KnotLimit::poses)) break;
+    FitOptions<Curve> closer = options;
+    KnotChoice<typename Curve::Group> choice = *result.knot_choice;
+    choice.interval *= 0.7;
+    choice.limit = turns ? KnotLimit::turn : KnotLimit::motion;
+    closer.knot_interval = choice.interval;
+    Fit<Curve> next = fit_once(closer);
+    if (turns ? !turns_too_far(next) || next.converged : next.converged && 2 * outliers(next) < outliers(result)) {
+      next.knot_choice = choice;
+      result = std::move(next);
+    } else {
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace splinertia

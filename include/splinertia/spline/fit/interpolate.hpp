@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// The spline that passes through every pose.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/spline/fit/curve_ends.hpp>
+#include <splinertia/spline/fit/detail/curve_model.hpp>
+#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/detail/fit_residuals.hpp>
+#include <splinertia/spline/fit/detail/knots_over.hpp>
+#include <splinertia/spline/fit/detail/least_squares.hpp>
+#include <splinertia/spline/fit/detail/pose_term.hpp>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/spline.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace splinertia {
+
+/// Knots for a curve through poses at these times, and the number of control points. NonUniformKnots are at the poses,
+/// but for those that not-a-knot leaves out; UniformKnots as near to them as even spacing is, which has to be within a
+/// quarter of their interval.
+template <typename Curve>
+[[nodiscard]] std::pair<KnotsOf<Curve>, std::size_t> interpolation_knots(const PosesOf<Curve>& poses,
+                                                                         EndCondition ends) {
+  using K = KnotsOf<Curve>;
+  constexpr std::size_t k = Curve::order;
+  const std::size_t n = poses.size();
+  if constexpr (requires(const K& knots) { knots.interval; }) {
+    K knots = even_knots<K>(poses.front().time, poses.back().time, n - 1, Curve::order);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double off = to_seconds<double>(time_between(knots.knot(i, Curve::order), poses[i].time));
+      if (!(std::abs(off) <= 0.25 * to_seconds<double>(knots.interval))) {
+        refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its place ",
+                                      to_seconds<double>(knots.interval),
+                                      " s apart from the others, expected evenly spaced poses for UniformKnots; "
+                                      "take NonUniformKnots");
+      }
+    }
+    return {knots, n + k - 2};
+  } else {
+    const std::size_t left_out = ends == EndCondition::not_a_knot ? k / 2 - 1 : 0;
+    std::vector<typename Curve::Time> knots(k, poses.front().time);
+    for (std::size_t i = 1 + left_out; i + 1 + left_out < n; ++i) knots.push_back(poses[i].time);
+    knots.insert(knots.end(), k, poses.back().time);
+    const std::size_t control_points = knots.size() - k;
+    return {K{std::move(knots)}, control_points};
+  }
+}
+
+/// The spline of an even order through every pose, Order − 2 times continuously differentiable:
+///
+///   using Curve = Spline<SO3xR3<double>, 4, NonUniformKnots<double>>;
+///   const Curve curve = interpolate<Curve>(poses);
+///   const Curve clamped = interpolate<Curve>(poses, {.condition = EndCondition::clamped});   // begins, ends at rest
+///
+/// It repeats whatever noise the poses have: for measured poses, whose accelerations are then mostly noise, take fit().
+/// `poses` is any range of Stamped, as for fit().
+///
+/// Throws std::invalid_argument as fit() does of poses, for fewer than two (with not-a-knot: than the order), and for
+/// uneven poses on UniformKnots; std::runtime_error if the poses turn too much from one to the next for there to be
+/// such a curve.
+template <typename Curve, StampedPoses Poses>
+  requires LieGroupWithJacobians<typename Curve::Group>
+[[nodiscard]] Curve interpolate(const Poses& poses, const CurveEnds<typename Curve::Group>& ends = {}) {
+  static_assert(Curve::order >= 4 && Curve::order % 2 == 0, "an even order of at least 4 has its knots at the poses");
+  using G = typename Curve::Group;
+  using Scalar = typename Curve::Scalar;
+  const auto data = fit_data<Curve>(poses, "interpolate");
+  const std::size_t least = ends.condition == EndCondition::not_a_knot ? Curve::order : 2;
+  if (data.size() < least) {
+    refuse<std::invalid_argument>("interpolate: ", data.size(), " poses, expected at least ", least);
+  }
+  auto [knots, control_points] = interpolation_knots<Curve>(data, ends.condition);
+  Curve curve = poses_at_control_points<Curve>(data, std::move(knots), control_points);
+
+  // As many equations as unknowns, so that the least squares come down to nothing.
+  using Model = CurveModel<Curve, Curve::order, PoseTerm<Curve>, EndTerm<Curve>>;
+  const std::vector<Scalar> weights;
+  const PoseTerm<Curve> through(data, weights, Tangent<G>::Ones(), RobustLoss::squares());
+  const EndTerm<Curve> end_term(ends, curve);
+  typename Model::System system(control_points);
+  BandedCholesky<typename Model::System> factor;
+  const Scalar extent = extent_of(data).maxCoeff(), epsilon = std::numeric_limits<Scalar>::epsilon();
+  const auto minimum = minimize(Model(through, end_term), curve, system, factor,
+                                {.relative = Scalar(0), .absolute = epsilon * extent * extent, .most_iterations = 100});
+  const auto all = [](std::size_t) { return true; };
+  const Scalar off = residuals_of(data, curve, all).max;
+  using std::sqrt;
+  if (!minimum.converged || !(off <= sqrt(epsilon) * (Scalar(1) + extent) / Scalar(64))) {
+    refuse<std::runtime_error>("interpolate: no curve found through all poses, the best is off by up to ", off);
+  }
+  return curve;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+/// Knots from the poses themselves: from their rate, their noise and their motion.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/group/detail/turn_angle.hpp>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/group/tangent_units.hpp>
+#include <splinertia/spline/fit/detail/pose_breaks.hpp>
+#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/time.hpp>
+#include <vector>
+
+namespace splinertia {
+
+/// How far neighbouring control points may turn against each other, rad: beyond π they could turn the other way.
+inline constexpr double largest_turn = 2 * std::numbers::pi / 3;
+
+/// Poses without those that are astray between breaks, and in which of the parts between jumps each is.
+template <LieGroup G, TimePoint Time>
+struct UnbrokenPoses {
+  std::vector<Stamped<G, Time>> poses;
+  std::vector<std::size_t> part;
+
+  explicit UnbrokenPoses(const std::vector<Stamped<G, Time>>& all) {
+    constexpr std::size_t most_astray = 4;  // between two breaks
+    const auto breaks = detail::breaks_between(all);
+    std::size_t from = 0;
+    for (std::size_t b = 0; b < breaks.size(); ++b) {
+      const auto to = static_cast<std::ptrdiff_t>(breaks[b] + 1);
+      const bool astray = b > 0 && breaks[b] <= breaks[b - 1] + most_astray;
+      if (!astray) poses.insert(poses.end(), all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + to);
+      from = breaks[b] + 1;
+    }
+    poses.insert(poses.end(), all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
+    part.assign(poses.size(), 0);
+    for (const std::size_t jump : detail::breaks_between(poses)) ++part[jump + 1];
+    std::partial_sum(part.begin(), part.end(), part.begin());
+  }
+};
+
+/// The mean squares of what poses an interval h apart show.
+template <LieGroup G>
+struct MotionAtScale {
+  Tangent<G> residual_square;      ///< of a pose from the cubic through those at ±h and ±2h
+  Tangent<G> acceleration_square;  ///< of the parabola through those at 0 and ±h
+};
+
+/// Over all poses with neighbours at these distances to within a quarter of h and no jump between them; of at most a
+/// few thousand. None if there are fewer than three.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] std::optional<MotionAtScale<G>> motion_at_scale(const UnbrokenPoses<G, Time>& unbroken, double h) {
+  constexpr std::size_t most = 4096;
+  const auto& poses = unbroken.poses;
+  const auto& part = unbroken.part;
+  const auto since_first = [&](std::size_t i) { return to_seconds<double>(poses[i].time - poses.front().time); };
+  std::array<std::size_t, 5> at{};
+  MotionAtScale<G> sum{Tangent<G>::Zero(), Tangent<G>::Zero()};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < poses.size(); i += std::max<std::size_t>(1, poses.size() / most)) {
+    bool found = true;
+    for (std::size_t j = 0; j < at.size() && found; ++j) {
+      const double wanted = since_first(i) + h * (static_cast<double>(j) - 2);
+      std::size_t& k = at[j];
+      while (k + 1 < poses.size() && std::abs(since_first(k + 1) - wanted) <= std::abs(since_first(k) - wanted)) ++k;
+      found = std::abs(since_first(k) - wanted) <= h / 4;
+    }
+    if (!found || part[at.front()] != part[at.back()]) continue;
+    const auto n = neighbour_residual(poses, at);
+    sum.residual_square += n.residual.cwiseAbs2();
+    sum.acceleration_square += n.acceleration.cwiseAbs2();
+    ++count;
+  }
+  if (count < 3) return std::nullopt;
+  const auto number = static_cast<ScalarOf<G>>(count);
+  return MotionAtScale<G>{sum.residual_square / number, sum.acceleration_square / number};
+}
+
+/// What keeps chosen knots from being further apart.
+enum class KnotLimit {
+  motion,  ///< the curve would be off by more than its noise, or by more than a two-thousandth of the acceleration
+  poses,   ///< the same at any interval that the poses hold: they are too sparse for their motion
+  turn,    ///< neighbouring control points would turn by more than 120° against each other
+  length,  ///< 64 poses to a knot, or eight segments in all: the poses show no motion
+};
+
+/// A knot interval for poses, and why.
+template <LieGroup G>
+struct KnotChoice {
+  double interval;  ///< s
+  KnotLimit limit;
+  double pose_interval;  ///< s, the median
+  double unambiguous;    ///< s: in longer intervals the poses turn by more than 120°
+  Tangent<G> noise;      ///< standard deviation of a pose, of each component (noise_of)
+};
+
+/// The longest interval that poses turn by less than 120° in, s; infinity if they do not turn. A single jump does not
+/// count, nor does what noise makes: three times the length of the standard deviation of a rotation, `noise`, rad.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] double longest_unambiguous_interval(const std::vector<Stamped<G, Time>>& poses, double noise = 0) {
+  std::vector<double> rate;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto turn = TurnAngle<G>::of(increment<G>(poses[i - 1].value, poses[i].value));
+    const double length = to_seconds<double>(poses[i].time - poses[i - 1].time);
+    rate.push_back((std::max)(0., static_cast<double>(turn) - 3 * noise) / length);
+  }
+  double fastest = rate.size() < 3 ? *std::max_element(rate.begin(), rate.end()) : 0;
+  for (std::size_t i = 2; i < rate.size(); ++i) {
+    const double &a = rate[i - 2], &b = rate[i - 1], &c = rate[i];
+    fastest =
+        (std::max)(fastest, (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c)));  // the middle of the three
+  }
+  return largest_turn / fastest;
+}
+
+/// The errors of the first two derivatives of a spline, from the sizes of h² x″ and h⁴ x⁗. A spline of order k is off
+/// by √(|B₂ₖ₋₂|/(2k−2)!) hᵏ⁻¹ |x⁽ᵏ⁾| in x′ and by √(|B₂ₖ₋₄|/(2k−4)!) hᵏ⁻² |x⁽ᵏ⁾| in x″, root mean squares of
+/// Bernoulli's polynomials (de Boor, A Practical Guide to Splines, XII). Orders above 4 are taken for 4, and |x‴| for
+/// √(|x″| |x⁗|), as of a sine.
+struct SplineErrors {
+  double first, second;  ///< of h x′ and h² x″
+
+  SplineErrors(int order, double h2_second, double h4_fourth) {
+    if (order > 3) {
+      first = 5.75e-3 * h4_fourth;
+      second = 0.0373 * h4_fourth;
+    } else if (order == 3) {
+      first = 0.0373 * std::sqrt(h2_second * h4_fourth);
+      second = 0.289 * std::sqrt(h2_second * h4_fourth);
+    } else {
+      first = 0.289 * h2_second;
+      second = h2_second;
+    }
+  }
+};
+
+/// How far apart the knots of a curve should be for its rate to be right: the longest interval h of which the error is
+/// below the noise, in each component; the noise is that of all components of a unit. The cubic through poses at ±h and
+/// ±2h is off by h⁴ |x⁗|/6, which gives the errors of the spline; the noise of its velocity is about 1.5 σ/(h √N), with
+/// N poses to a knot. Requires two poses in ascending order of time.
+template <LieGroup G, TimePoint Time>
+[[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
+  const double span = to_seconds<double>(poses.back().time - poses.front().time);
+  KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, noise_of(poses)};
+  const auto good = [&](double h, const MotionAtScale<G>& motion) {
+    const double poses_to_a_knot = h / choice.pose_interval;
+    bool all = true;
+    TangentUnits<G>::for_each([&](int first, int rows) {
+      const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
+      const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
+      for (int row = first; row < first + rows; ++row) {
+        // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
+        const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
+        const auto without_noise = [&](double square, double share) {
+          return std::sqrt((std::max)(0., square - share * own_noise));
+        };
+        const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
+        const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
+        const SplineErrors error(order, second, fourth);
+        all = all && (error.first <= noise_of_first || error.second <= 5e-4 * second);
+      }
+    });
+    return all;
+  };
+  const double shortest = 1.25 * choice.pose_interval;
+  const double longest = (std::max)(shortest, (std::min)(64 * choice.pose_interval, span / 8));
+  choice.interval = shortest;
+  const UnbrokenPoses<G, Time> unbroken(poses);
+  bool any = false;
+  for (double h = 2 * choice.pose_interval; h < 1.19 * longest; h *= 1.19) {
+    const auto motion = motion_at_scale(unbroken, (std::min)(h, longest));
+    if (!motion && !any) continue;
+    if (!motion) break;
+    if (!good((std::min)(h, longest), *motion)) {
+      choice.limit = any ? KnotLimit::motion : KnotLimit::poses;
+      break;
+    }
+    any = true;
+    choice.interval = (std::min)(h, longest);
+  }
+  const auto noise_of_turns = static_cast<double>(TurnAngle<G>::of(choice.noise));
+  choice.unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);
+  if (choice.unambiguous < choice.interval) {
+    choice.interval = choice.unambiguous;
+    choice.limit = KnotLimit::turn;
+  }
+  return choice;
+}
+
+}  // namespace splinertia

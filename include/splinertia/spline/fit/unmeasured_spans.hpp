@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+/// Where poses leave a curve to itself.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/time.hpp>
+#include <vector>
+
+namespace splinertia {
+
+/// Between two neighbouring poses, or between an end of the curve and the pose next to it.
+template <typename Time>
+struct UnmeasuredSpan {
+  Time start, end;
+  bool is_gap;           ///< long beside the knots and beside the usual interval of poses
+  double knot_interval;  ///< s, of the knots beside it
+};
+
+/// A part of a curve that poses measure, between two spans; s from the start of the curve.
+struct MeasuredPart {
+  double start, end;
+};
+
+/// The spans between poses that need something beside the poses to hold the curve. These are the gaps: longer than 1.5
+/// knot intervals (those beside the gap) and than 2.5 times the median interval of poses; and every interval that a
+/// control point shapes which the poses determine badly, `weak` in ascending order. `counts(i)` says whether pose i
+/// counts at all.
+template <typename Curve>
+[[nodiscard]] std::vector<UnmeasuredSpan<typename Curve::Time>> unmeasured_spans(const Curve& curve,
+                                                                                 const PosesOf<Curve>& poses,
+                                                                                 const auto& counts,
+                                                                                 const std::vector<std::size_t>& weak) {
+  using Time = typename Curve::Time;
+  constexpr int order = Curve::order;
+  const auto& knots = curve.knots();
+  const std::size_t control_points = curve.control_points().size();
+  const auto segment = [&](Time t) { return knots.template basis<double, order, 0>(t, control_points).first; };
+  const auto length_of_segment = [&](Time t) {
+    const std::size_t s = segment(t);
+    return to_seconds<double>(knots.knot(s + 1, order) - knots.knot(s, order));
+  };
+
+  std::vector<Time> times{curve.start()};
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (counts(i) && poses[i].time > times.back()) times.push_back(poses[i].time);
+  }
+  if (curve.end() > times.back()) times.push_back(curve.end());
+  std::vector<double> lengths;
+  for (std::size_t i = 1; i < times.size(); ++i) lengths.push_back(to_seconds<double>(times[i] - times[i - 1]));
+  std::vector<double> sorted = lengths;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double usual = *middle;
+
+  // Of the segments that end and begin at the ends of interval i: a long gap may be one segment.
+  const auto interval_beside = [&](std::size_t i) {
+    const Time before = i > 1 ? times[i - 2] + (times[i - 1] - times[i - 2]) / 2 : times[i - 1];
+    return (std::min)(length_of_segment(before), length_of_segment(times[i]));
+  };
+
+  std::vector<UnmeasuredSpan<Time>> intervals;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const Time start = times[i - 1], end = times[i];
+    intervals.push_back({start, end, false, 0});
+    if (!(lengths[i - 1] > 2.5 * usual) && times.size() > 2) continue;
+    intervals.back().is_gap = lengths[i - 1] > 1.5 * interval_beside(i);
+  }
+  // A control point shapes Order segments. Where no gap is among them, poses are sparse all over.
+  std::vector<bool> sparse(intervals.size(), false);
+  const std::size_t segments = control_points - order + 1;
+  for (const std::size_t c : weak) {
+    const Time from = knots.knot(c + 1 < order ? 0 : c + 1 - order, order);
+    const Time to = knots.knot((std::min)(c + 1, segments), order);
+    const auto ends_later = [](Time t, const auto& interval) { return t < interval.end; };
+    const auto first = std::upper_bound(intervals.begin(), intervals.end(), from, ends_later);
+    auto last = first;
+    while (last != intervals.end() && last->start < to) ++last;
+    if (std::any_of(first, last, [](const auto& interval) { return interval.is_gap; })) continue;
+    std::fill(sparse.begin() + (first - intervals.begin()), sparse.begin() + (last - intervals.begin()), true);
+  }
+  std::vector<UnmeasuredSpan<Time>> spans;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    if (!intervals[i].is_gap && !sparse[i]) continue;
+    spans.push_back(intervals[i]);
+    spans.back().knot_interval = interval_beside(i + 1);
+  }
+  return spans;
+}
+
+/// What is left of the curve between the spans, one part more than there are spans; a single pose has the length 0.
+template <typename Curve>
+[[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
+                                                       const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
+  const auto since_start = [&](auto time) { return to_seconds<double>(time - curve.start()); };
+  std::vector<MeasuredPart> parts;
+  double from = 0;
+  for (const auto& span : spans) {
+    parts.push_back({from, since_start(span.start)});
+    from = since_start(span.end);
+  }
+  parts.push_back({from, since_start(curve.end())});
+  return parts;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+/// Polynomials through the four samples of a window, for schemes of order 4 on stamps of any kind.
+///
+/// A polynomial through close samples amplifies their noise: two samples ε apart have a slope with an error of σ/ε. So
+/// the weights of a step may differ from those of the straight line between two samples by a stated amount at most:
+/// where those of the cubic do not, the parabola takes its place, and where those of the parabola do not, the line.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <splinertia/strapdown/schemes/scheme.hpp>
+#include <tuple>
+
+namespace splinertia::detail {
+
+/// Which of the four samples a polynomial goes through: `Count` of them from `first` on.
+template <std::size_t Count>
+struct Nodes {
+  std::size_t first;
+};
+
+/// The times of a window from sample `from` on, s.
+template <typename Scalar, typename Window>
+[[nodiscard]] std::array<Scalar, 4> times_from(const Window& window, std::size_t from) {
+  std::array<Scalar, 4> times;
+  for (std::size_t j = 0; j < 4; ++j) times[j] = to_seconds<Scalar>(window[j].time - window[from].time);
+  return times;
+}
+
+/// The same from the middle of an interval of h that begins with sample `from`, in units of h.
+template <typename Scalar>
+[[nodiscard]] std::array<Scalar, 4> centred(std::array<Scalar, 4> times, std::size_t from, const Scalar& h) {
+  const Scalar begin = times[from];
+  for (Scalar& t : times) t = (t - begin) / h - Scalar(1) / Scalar(2);
+  return times;
+}
+
+/// Weights for each of several things that are wanted of a polynomial: an integral, a moment, a value.
+template <typename Scalar, std::size_t Wanted>
+using StencilWeights = std::array<std::array<Scalar, 4>, Wanted>;
+
+/// The weights w with Σ w_j f(s_j) = functional(c) for the polynomial c₀ + c₁s + c₂s² + c₃s³ through the samples of
+/// `nodes` (Lagrange). The functional is linear in c and returns an array of what is wanted.
+template <std::size_t Count, typename Scalar>
+[[nodiscard, gnu::always_inline]] inline auto lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
+                                                               const auto& functional) {
+  using Coefficients = std::array<Scalar, 4>;
+  constexpr std::size_t wanted = std::tuple_size_v<decltype(functional(Coefficients{}))>;
+  const Scalar zero(0), one(1);
+  StencilWeights<Scalar, wanted> weights;
+  for (auto& of_one : weights) of_one = {zero, zero, zero, zero};
+  const auto at = [&](std::size_t j) -> const Scalar& { return s[nodes.first + j % Count]; };
+  for (std::size_t j = 0; j < Count; ++j) {
+    const Scalar& own = at(j);
+    const Scalar& a = at(j + 1);
+    Coefficients c;
+    Scalar scale = own - a;
+    if constexpr (Count == 2) {
+      c = {-a, one, zero, zero};
+    } else if constexpr (Count == 3) {
+      const Scalar& b = at(j + 2);
+      scale *= own - b;
+      c = {a * b, -(a + b), one, zero};
+    } else {
+      const Scalar &b = at(j + 2), &d = at(j + 3);
+      scale *= (own - b) * (own - d);
+      c = {-(a * b * d), a * b + b * d + d * a, -(a + b + d), one};
+    }
+    const auto values = functional(c);
+    for (std::size_t k = 0; k < wanted; ++k) weights[k][nodes.first + j] = values[k] / scale;
+  }
+  return weights;
+}
+
+/// Those of the polynomial of highest degree whose weights for what is wanted first differ from the line's by at most
+/// `limit` in sum: the cubic, the parabola on `parabola`, or the line on `line`.
+template <typename Scalar>
+[[nodiscard]] auto stable_weights(const std::array<Scalar, 4>& s, Nodes<2> line, Nodes<3> parabola,
+                                  const auto& functional, const Scalar& limit) {
+  const auto of_line = lagrange_weights(s, line, functional);
+  const auto stable = [&](const auto& weights) {
+    using std::abs;
+    Scalar difference(0);
+    for (std::size_t j = 0; j < 4; ++j) difference += abs(weights[0][j] - of_line[0][j]);
+    return difference <= limit;  // not for samples at the same time, where it is NaN
+  };
+  const auto of_cubic = lagrange_weights(s, Nodes<4>{0}, functional);
+  if (stable(of_cubic)) [[likely]]
+    return of_cubic;
+  const auto of_parabola = lagrange_weights(s, parabola, functional);
+  return stable(of_parabola) ? of_parabola : of_line;
+}
+
+}  // namespace splinertia::detail

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/group/detail/rotation.hpp>
+#include <splinertia/group/lie_group.hpp>
+#include <splinertia/strapdown/detail/galilean.hpp>
+#include <splinertia/strapdown/detail/linearized_increment.hpp>
+#include <splinertia/strapdown/nav_state.hpp>
+#include <splinertia/strapdown/preintegration/bias_jacobians.hpp>
+
+namespace splinertia {
+
+/// For those who need no covariance: nothing.
+struct NoCovariance {};
+
+/// What an IMU has measured between two times as one motion, gravity left aside, with biases `bias` taken off:
+/// preintegration on the manifold, Forster et al., IEEE TRO 33 (2017), with the exact motion over each step. Covariance
+/// is NoCovariance or ImuCovariance<Scalar>.
+template <typename Scalar, typename Covariance = NoCovariance>
+class PreintegratedImu {
+ public:
+  explicit PreintegratedImu(const ImuBias<Scalar>& bias = {}) : bias_(bias) {
+    delta_ = {Eigen::Quaternion<Scalar>::Identity(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Scalar(0)};
+  }
+
+  /// ΔR, Δv, Δp and Δt.
+  [[nodiscard]] const NavIncrement<Scalar>& delta() const { return delta_; }
+  [[nodiscard]] const ImuBias<Scalar>& bias() const { return bias_; }
+  [[nodiscard]] const BiasJacobians<Scalar>& jacobians() const { return jacobians_; }
+  [[nodiscard]] const Covariance& covariance() const { return covariance_; }
+
+  /// The motion if the biases were others, to first order in the difference.
+  [[nodiscard]] NavIncrement<Scalar> corrected(const ImuBias<Scalar>& bias) const {
+    const Vector3<Scalar> dg = bias.gyro - bias_.gyro, da = bias.accel - bias_.accel;
+    const Vector3<Scalar> turn = jacobians_.R_gyro * dg;
+    return {quaternion_product(delta_.rotation, rotation_exp<Scalar>(turn)),
+            delta_.velocity + jacobians_.v_gyro * dg + jacobians_.v_accel * da,
+            delta_.position + jacobians_.p_gyro * dg + jacobians_.p_accel * da, delta_.interval};
+  }
+
+  /// Adds a step, with its own covariance.
+  void append(const LinearizedIncrement<Scalar>& step, const Covariance& of_step = {}) {
+    // A bias is taken off.
+    append(step.value, {-step.R_w, -step.v_w, -step.v_f, -step.p_w, -step.p_f}, of_step);
+  }
+
+  /// Adds what was preintegrated right after this one; with other biases, to first order in the difference.
+  void append(const PreintegratedImu& next) { append(next.corrected(bias_), next.jacobians_, next.covariance_); }
+
+ private:
+  void append(const NavIncrement<Scalar>& next, const BiasJacobians<Scalar>& of_next, const Covariance& with) {
+    const Matrix3<Scalar> R = delta_.rotation.toRotationMatrix();
+    const Matrix3<Scalar> R_next = next.rotation.toRotationMatrix();
+    if constexpr (requires { covariance_.append(R, next, of_next, with); }) covariance_.append(R, next, of_next, with);
+
+    BiasJacobians<Scalar>& J = jacobians_;
+    // From the last to the first, each of which needs the others as they were.
+    J.p_gyro += J.v_gyro * next.interval + R * (of_next.p_gyro - hat<Scalar>(next.position) * J.R_gyro);
+    J.p_accel += J.v_accel * next.interval + R * of_next.p_accel;
+    J.v_gyro += R * (of_next.v_gyro - hat<Scalar>(next.velocity) * J.R_gyro);
+    J.v_accel += R * of_next.v_accel;
+    J.R_gyro = (R_next.transpose() * J.R_gyro + of_next.R_gyro).eval();
+
+    delta_.position += delta_.velocity * next.interval + R * next.position;
+    delta_.velocity += R * next.velocity;
+    delta_.rotation = advance_attitude<Scalar>(delta_.rotation, next.rotation).unit_quaternion();
+    delta_.interval += next.interval;
+  }
+
+  NavIncrement<Scalar> delta_;
+  BiasJacobians<Scalar> jacobians_;
+  ImuBias<Scalar> bias_;
+  [[no_unique_address]] Covariance covariance_{};
+};
+
+}  // namespace splinertia

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/strapdown/detail/linearized_increment.hpp>
+#include <splinertia/strapdown/detail/sample_window.hpp>
+#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/preintegrated_imu.hpp>
+#include <splinertia/strapdown/schemes/integration_scheme.hpp>
+#include <type_traits>
+
+namespace splinertia {
+
+/// For those who need no covariance: no noise.
+struct Noiseless {};
+
+/// Preintegrates the samples of an IMU as they come, without heap:
+///
+///   Preintegrator<Midpoint, double, double, ImuNoise<double>> preintegrator(time, bias, noise);
+///   for (const auto& sample : samples) preintegrator.push(sample);
+///   preintegrator.finish();
+///   preintegrator.result();                    // PreintegratedImu: motion, bias Jacobians, covariance
+///
+/// Scheme is one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid, Magnus4 of point samples,
+/// RotationCorrectedIncrements, TwoSampleIncrements of increments. With Noiseless, the default, there is no covariance.
+template <typename Scheme, typename Scalar, TimePoint Time = double, typename Noise = Noiseless>
+  requires IntegrationScheme<Scheme, Scalar, Time> &&
+           LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>
+class Preintegrator {
+  static constexpr bool has_noise = !std::is_same_v<Noise, Noiseless>;
+
+ public:
+  using Covariance = std::conditional_t<has_noise, ImuCovariance<Scalar>, NoCovariance>;
+  using Result = PreintegratedImu<Scalar, Covariance>;
+
+  /// Throws std::invalid_argument for a start or a bias that is not finite and for noise that is not finite or < 0.
+  explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
+                         const GapOptions<Scalar>& gaps = {})
+      : result_(bias), noise_(noise), window_(start, gaps) {
+    require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
+    require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
+    if constexpr (has_noise) {
+      require_non_negative("preintegrate", "the gyroscope's noise density", noise.gyro_density);
+      require_non_negative("preintegrate", "the accelerometer's noise density", noise.accel_density);
+      require_non_negative("preintegrate", "the walk of the gyroscope's bias", noise.gyro_walk);
+      require_non_negative("preintegrate", "the walk of the accelerometer's bias", noise.accel_walk);
+    }
+  }
+
+  /// Adds a sample. Throws std::invalid_argument as Integrator does.
+  template <typename Sample>
+  void push(const Sample& sample) {
+    const ImuBias<Scalar>& bias = result_.bias();
+    if constexpr (!check_sample<Scheme, Scalar, Time, Sample>()) {
+      // The compiler has said what is wrong.
+    } else if constexpr (Scheme::takes_increments) {
+      const Scalar h = window_.since_last(sample.time);
+      window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
+                                                   sample.delta_velocity - bias.accel * h},
+                   step());
+    } else {
+      window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel},
+                   step());
+    }
+  }
+
+  /// Brings the result to the last sample, without what a scheme would have seen behind it. Samples may follow.
+  void finish() { window_.finish(step()); }
+
+  [[nodiscard]] const Result& result() const { return result_; }
+  [[nodiscard]] std::size_t gaps() const { return window_.gaps(); }
+
+ private:
+  [[nodiscard]] auto step() {
+    return [this](const auto& samples, std::size_t from, Time) {
+      const auto step = linearize_step<Scheme, Scalar>(samples, from);
+      if constexpr (has_noise) {
+        result_.append(step, Covariance(step, noise_));
+      } else {
+        result_.append(step);
+      }
+    };
+  }
+
+  Result result_;
+  [[no_unique_address]] Noise noise_;
+  SampleWindow<Scheme, Scalar, Time> window_;
+};
+
+}  // namespace splinertia

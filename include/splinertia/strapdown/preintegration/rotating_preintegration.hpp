@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/// Preintegration in a world that turns: the residual of preintegration_residual.hpp with a RotatingFrame as its last
+/// argument. Those who pass none have no member and no instruction for it.
+///
+/// What is preintegrated knows no world. Seen from a turning one, state j is not where the inertial formulas put it but
+/// Exp(−Ω Δt) further in attitude, c_v in velocity and c_p in position (rotating_frame.hpp, over the whole interval):
+/// so the residual is the inertial one with that taken off state j. To first order in |Ω| Δt, 1e-9 of the motion left
+/// out after a second on Earth.
+#pragma once
+
+#include <splinertia/group/detail/rotation.hpp>
+#include <splinertia/strapdown/preintegration/preintegration_residual.hpp>
+#include <splinertia/strapdown/rotating_frame.hpp>
+
+namespace splinertia {
+
+/// State j without what the turning of the world has done to it since state i.
+template <typename Scalar, TimePoint Time>
+[[nodiscard]] NavState<Scalar, Time> without_rotation(const NavState<Scalar, Time>& j, const NavState<Scalar, Time>& i,
+                                                      const NavIncrement<Scalar>& delta, const Vector3<Scalar>& gravity,
+                                                      const RotatingFrame<Scalar>& frame) {
+  const NavState<Scalar, Time> turning = frame.advance(i, delta, gravity, j.time);
+  const NavState<Scalar, Time> inertial = InertialFrame{}.advance(i, delta, gravity, j.time);
+  return {advance_attitude<Scalar>(rotation_exp<Scalar>(frame.rate * delta.interval), j.R_WB.unit_quaternion()),
+          j.v_WB - (turning.v_WB - inertial.v_WB), j.p_WB - (turning.p_WB - inertial.p_WB), j.time};
+}
+
+template <typename Scalar, typename Covariance, TimePoint Time>
+[[nodiscard]] PreintegrationResidual<Scalar> preintegration_residual(
+    const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
+    const RotatingFrame<Scalar>& frame) {
+  return preintegration_residual(imu, i, bias_i, without_rotation(j, i, imu.corrected(bias_i), gravity, frame), bias_j,
+                                 gravity);
+}
+
+template <typename Scalar, typename Covariance, TimePoint Time>
+[[nodiscard]] LinearizedPreintegrationResidual<Scalar> linearize_preintegration_residual(
+    const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
+    const RotatingFrame<Scalar>& frame) {
+  const NavIncrement<Scalar> delta = imu.corrected(bias_i);
+  auto result =
+      linearize_preintegration_residual(imu, i, bias_i, without_rotation(j, i, delta, gravity, frame), bias_j, gravity);
+  // With u = R_i Δv and w = R_i Δp: c_p = −h Ω × (h v_i + w + …) and c_v = −Ω × (h u − w + 2 (h v_i + w + c_p + …)),
+  // and the residual changes by −R_iᵀ times their change.
+  const Scalar h = delta.interval;
+  const Matrix3<Scalar> R = i.R_WB.unit_quaternion().toRotationMatrix();
+  const Matrix3<Scalar> turn = hat<Scalar>(frame.rate), identity = Matrix3<Scalar>::Identity();
+  const Matrix3<Scalar> p_w = -h * turn, p_v = h * p_w;
+  const Matrix3<Scalar> v_u = -h * turn, v_w = -turn * (identity + Scalar(2) * p_w),
+                        v_v = -Scalar(2) * turn * (h * identity + p_v);
+  const Matrix3<Scalar> u_phi = -R * hat<Scalar>(delta.velocity), w_phi = -R * hat<Scalar>(delta.position);
+  const BiasJacobians<Scalar>& J = imu.jacobians();
+  const Matrix3<Scalar> back = -R.transpose();
+  result.state_i.template block<3, 3>(3, 0) += back * (v_u * u_phi + v_w * w_phi);
+  result.state_i.template block<3, 3>(3, 3) += back * v_v;
+  result.state_i.template block<3, 3>(6, 0) += back * (p_w * w_phi);
+  result.state_i.template block<3, 3>(6, 3) += back * p_v;
+  result.bias_i.template block<3, 3>(3, 0) += back * (v_u * R * J.v_gyro + v_w * R * J.p_gyro);
+  result.bias_i.template block<3, 3>(3, 3) += back * (v_u * R * J.v_accel + v_w * R * J.p_accel);
+  result.bias_i.template block<3, 3>(6, 0) += back * (p_w * R * J.p_gyro);
+  result.bias_i.template block<3, 3>(6, 3) += back * (p_w * R * J.p_accel);
+  return result;
+}
+
+}  // namespace splinertia

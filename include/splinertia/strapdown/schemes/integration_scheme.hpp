@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/// What can be integrated with what, asked before it is tried, so that mistakes are told in one line.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <splinertia/strapdown/detail/sample_window.hpp>
+#include <splinertia/strapdown/imu_sample.hpp>
+#include <splinertia/strapdown/schemes/scheme.hpp>
+#include <splinertia/time.hpp>
+
+namespace splinertia {
+
+/// The window that a scheme is given.
+template <typename Scheme, typename Scalar, typename Time>
+using SchemeWindow = std::array<typename SampleWindow<Scheme, Scalar, Time>::Sample, Scheme::window>;
+
+/// A type that derives from PointScheme or IncrementScheme.
+template <typename Scheme>
+concept PointOrIncrementScheme = requires {
+  { Scheme::takes_increments } -> std::convertible_to<bool>;
+  { Scheme::needs_equal_intervals } -> std::convertible_to<bool>;
+  { Scheme::window } -> std::convertible_to<std::size_t>;
+  { Scheme::stride } -> std::convertible_to<std::size_t>;
+  { Scheme::lead } -> std::convertible_to<std::size_t>;
+};
+
+/// Such a type with moments() or increment(), as scheme.hpp has them.
+template <typename Scheme, typename Scalar, typename Time>
+concept IntegrationScheme =
+    PointOrIncrementScheme<Scheme> && (HasMoments<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>> ||
+                                       HasIncrement<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>);
+
+/// What a scheme takes: point samples or increments.
+template <typename S, typename Scheme, typename Scalar, typename Time>
+concept SampleFor = (Scheme::takes_increments && ImuIncrement<S, Scalar, Time>) ||
+                    (!Scheme::takes_increments && ImuSample<S, Scalar, Time>);
+
+/// Whether a scheme takes samples of type S; if not, the compiler says what it expects.
+template <typename Scheme, typename Scalar, typename Time, typename S>
+constexpr bool check_sample() {
+  constexpr bool good = SampleFor<S, Scheme, Scalar, Time>;
+  constexpr bool timed = HasTime<S, Time> || !requires(const S& s) { s.time; };
+  static_assert(timed,
+                "the time of these samples is not of the type that this integrates over: both are double, in seconds, "
+                "or both the same std::chrono::duration, in which an integer has to be wrapped");
+  static_assert(
+      good || !timed || Scheme::takes_increments,
+      "this scheme takes point samples: structs with time, gyro (rad/s) and accel (m/s^2), Eigen's vectors of "
+      "three of the scalar that this integrates in");
+  static_assert(good || !timed || !Scheme::takes_increments,
+                "this scheme takes increments: structs with time, delta_angle (rad) and delta_velocity (m/s), Eigen's "
+                "vectors of three of the scalar that this integrates in");
+  return good;
+}
+
+}  // namespace splinertia

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <splinertia/strapdown/detail/stencil.hpp>
+#include <splinertia/strapdown/schemes/scheme.hpp>
+
+namespace splinertia {
+
+/// Fourth order: the Magnus expansion on the Galilean group of the cubic through four neighbouring samples, two before
+/// and two after the step; in the first and the last step of a run, the nearest four. Any intervals: the weights are
+/// exact for cubics on the stamps as they are (regular ones have constant weights).
+///
+/// Intervals that are too unequal: the weights of φ and ν never differ from the trapezoid's by more than h in sum, so
+/// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples
+/// and the nearest one on the side of the longer interval takes its place, and where that would, the straight line.
+/// Between inner samples the cubic stays while no neighbouring interval is below a third of the step's (0.27 of it
+/// where both are equal), so intervals within a factor of three of each other keep order 4. A run of two samples is
+/// integrated with the line, one of three with the parabola.
+///
+/// What limits it: samples must be of a signal that is smooth to third order. Samples of a cubic spline are not (their
+/// third derivative jumps at knots): there, and with noise, it is no better than Midpoint.
+struct Magnus4 : PointScheme<4, 1, 1> {
+  template <typename Scalar, typename Window>
+  [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
+    const Scalar h = step_interval<Scalar>(window, from);
+    if (from != 1 || !regular<Scalar>(window, h)) [[unlikely]]
+      return moments_anywhere<Scalar>(window, from, h);
+    // regular_weights, with what their symmetry saves.
+    const Scalar a = h / Scalar(24), b = h / Scalar(720);
+    const auto &w0 = window[0], &w1 = window[1], &w2 = window[2], &w3 = window[3];
+    return {(Scalar(13) * (w1.gyro + w2.gyro) - (w0.gyro + w3.gyro)) * a,
+            (Scalar(13) * (w1.accel + w2.accel) - (w0.accel + w3.accel)) * a,
+            (Scalar(63) * (w2.gyro - w1.gyro) + (w0.gyro - w3.gyro)) * b,
+            (Scalar(63) * (w2.accel - w1.accel) + (w0.accel - w3.accel)) * b, h};
+  }
+
+  /// ∫A dt = Σ mean_j A_j and ∫sA dt/h = Σ moment_j A_j over the step.
+  template <typename Scalar>
+  struct Weights {
+    std::array<Scalar, 4> mean, moment;
+  };
+
+  /// Whether all three intervals are h, to a tolerance that puts an error of at most as much into the smallest weight.
+  template <typename Scalar, typename Window>
+  [[nodiscard]] static bool regular(const Window& window, const Scalar& h) {
+    using std::abs;
+    const Scalar tolerance = h * Scalar(1e-6F);
+    return abs(step_interval<Scalar>(window, 0) - h) <= tolerance &&
+           abs(step_interval<Scalar>(window, 1) - h) <= tolerance &&
+           abs(step_interval<Scalar>(window, 2) - h) <= tolerance;
+  }
+
+  template <typename Scalar, typename Window>
+  [[nodiscard]] static Weights<Scalar> weights(const Window& window, std::size_t from, const Scalar& h) {
+    if (regular<Scalar>(window, h)) return regular_weights(from, h);
+    return general_weights(detail::times_from<Scalar>(window, from), from, h);
+  }
+
+  template <typename Scalar>
+  [[nodiscard]] static Weights<Scalar> regular_weights(std::size_t from, const Scalar& h) {
+    const Scalar a = h / Scalar(24), b = h / Scalar(720);
+    if (from == 1) return {{-a, Scalar(13) * a, Scalar(13) * a, -a}, {b, Scalar(-63) * b, Scalar(63) * b, -b}};
+    if (from == 0) {
+      return {{Scalar(9) * a, Scalar(19) * a, Scalar(-5) * a, a}, {Scalar(-59) * b, Scalar(57) * b, Scalar(3) * b, -b}};
+    }
+    return {{a, Scalar(-5) * a, Scalar(19) * a, Scalar(9) * a}, {b, Scalar(-3) * b, Scalar(-57) * b, Scalar(59) * b}};
+  }
+
+  /// Those for samples at any four times, s.
+  template <typename Scalar>
+  [[nodiscard]] static Weights<Scalar> general_weights(const std::array<Scalar, 4>& times, std::size_t from,
+                                                       const Scalar& h) {
+    const auto s = detail::centred(times, from, h);
+    // ∫p and ∫s·p over s from −1/2 to 1/2, of p = c₀ + c₁s + c₂s² + c₃s³.
+    const Scalar a = h / Scalar(12), b = h / Scalar(80);
+    const auto integrals = [&](const std::array<Scalar, 4>& c) {
+      return std::array<Scalar, 2>{c[0] * h + c[2] * a, c[1] * a + c[3] * b};
+    };
+    const auto both = [](const auto& of) { return Weights<Scalar>{of[0], of[1]}; };
+    // Intervals of which stable_weights() would keep the cubic, too.
+    const Scalar mild = Scalar(1) / Scalar(3);
+    if (from == 1 && s[1] - s[0] >= mild && s[3] - s[2] >= mild) [[likely]]
+      return both(detail::lagrange_weights(s, detail::Nodes<4>{0}, integrals));
+    const bool before = from == 2 || (from == 1 && s[1] - s[0] > s[3] - s[2]);
+    return both(
+        detail::stable_weights(s, detail::Nodes<2>{from}, detail::Nodes<3>{before ? from - 1 : from}, integrals, h));
+  }
+
+ private:
+  // The first and the last steps of a run, and irregular ones: out of the way of the others.
+  template <typename Scalar, typename Window>
+  [[nodiscard, gnu::noinline, gnu::cold]] static StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
+                                                                                      Scalar h) {
+    const Weights<Scalar> w = weights<Scalar>(window, from, h);
+    StepMoments<Scalar> m{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(),
+                          Vector3<Scalar>::Zero(), h};
+    for (std::size_t j = 0; j < 4; ++j) {
+      m.phi += w.mean[j] * window[j].gyro;
+      m.nu += w.mean[j] * window[j].accel;
+      m.phi_moment += w.moment[j] * window[j].gyro;
+      m.nu_moment += w.moment[j] * window[j].accel;
+    }
+    return m;
+  }
+};
+
+}  // namespace splinertia

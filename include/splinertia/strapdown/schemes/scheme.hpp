@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// What an integration scheme is: a type that turns a window of neighbouring samples into what the body has done from
+/// one to the next, without heap, state or virtual calls. It derives from PointScheme or IncrementScheme, which say how
+/// many samples it looks at, and has one of
+///
+///   static StepMean | StepMoments moments(window, from)   the integrals of rate and force over the step
+///   static NavIncrement increment(window, from)           the motion itself
+///
+/// as templates of the scalar. Of point samples the step goes from window[from] to window[from + stride] or to the last
+/// one, whichever comes first; of increments it is window[from] … window[from + stride − 1], or what there is of them.
+/// The window of increments is not full where fewer have come: then the interval of what is missing is 0.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <splinertia/detail/flatten.hpp>
+#include <splinertia/strapdown/detail/galilean.hpp>
+#include <splinertia/strapdown/imu_sample.hpp>
+#include <splinertia/time.hpp>
+
+namespace splinertia {
+
+/// A scheme on point samples: it looks at `Window` of them, advances by `Stride` intervals at a time, and needs `Lead`
+/// samples beyond the end of a step except in the last ones of a run.
+template <std::size_t Window, std::size_t Stride = 1, std::size_t Lead = 0>
+struct PointScheme {
+  static constexpr bool takes_increments = false, needs_equal_intervals = false;
+  static constexpr std::size_t window = Window, stride = Stride, lead = Lead;
+};
+
+/// A scheme on integrated increments: it looks at `Window` of them and advances by `Stride` at a time. One that
+/// `needs_equal_intervals` is given no others.
+template <std::size_t Window, std::size_t Stride = Window>
+struct IncrementScheme {
+  static constexpr bool takes_increments = true, needs_equal_intervals = false;
+  static constexpr std::size_t window = Window, stride = Stride, lead = 0;
+};
+
+/// From window[from] to the next sample, s.
+template <typename Scalar, typename Window>
+[[nodiscard]] Scalar step_interval(const Window& window, std::size_t from) {
+  return to_seconds<Scalar>(window[from + 1].time - window[from].time);
+}
+
+/// The integrals over a step of h of the angular velocity, φ = ∫ω dt (rad), and of the specific force, ν = ∫f dt (m/s),
+/// both in the axes of the body as it turns. An increment of an IMU is one, too.
+template <typename Scalar>
+struct StepMean {
+  Vector3<Scalar> phi, nu;
+  Scalar interval;
+};
+
+/// The same with first moments about the middle of the step: φ₁ = ∫sω dt/h, ν₁ = ∫sf dt/h.
+template <typename Scalar>
+struct StepMoments {
+  Vector3<Scalar> phi, nu;
+  Vector3<Scalar> phi_moment, nu_moment;
+  Scalar interval;
+};
+
+/// The logarithm of the motion over a step to fourth order: Ω = M₀ + [M₀, M₁] for X' = X A, with the moments M₀ = (φ,
+/// ν, 0, h), M₁ = (φ₁, ν₁, 0, 0). Magnus (1954); Iserles et al., "Lie-group methods", Acta Numerica 9 (2000), 4.
+template <typename Scalar>
+[[nodiscard]] GalileanVector<Scalar> magnus4(const StepMoments<Scalar>& m) {
+  return {m.phi + m.phi.cross(m.phi_moment), m.nu + m.phi.cross(m.nu_moment) + m.nu.cross(m.phi_moment),
+          m.nu_moment * -m.interval, m.interval};
+}
+
+template <typename Scalar>
+[[nodiscard]] NavIncrement<Scalar> increment_from(const StepMean<Scalar>& m) {
+  return galilean_exp(stumpff<5>(Scalar(m.phi.squaredNorm())), m.phi, m.nu, m.interval);
+}
+template <typename Scalar>
+[[nodiscard]] NavIncrement<Scalar> increment_from(const StepMoments<Scalar>& m) {
+  return galilean_exp(magnus4(m));
+}
+
+/// Whether a scheme gives the integrals of rate and force.
+template <typename Scheme, typename Scalar, typename Window>
+concept HasMoments =
+    requires(const Window& window) { increment_from(Scheme::template moments<Scalar>(window, std::size_t{0})); };
+
+/// Whether a scheme gives the motion itself.
+template <typename Scheme, typename Scalar, typename Window>
+concept HasIncrement = requires(const Window& window) {
+  { Scheme::template increment<Scalar>(window, std::size_t{0}) } -> std::convertible_to<NavIncrement<Scalar>>;
+};
+
+/// What the body has done in the step of a scheme from window[from] on.
+template <typename Scheme, typename Scalar, typename Window>
+[[nodiscard]] NavIncrement<Scalar> step_increment(const Window& window, std::size_t from) {
+  return flattened<Scalar>([&] {
+    if constexpr (HasMoments<Scheme, Scalar, Window>) {
+      return increment_from(Scheme::template moments<Scalar>(window, from));
+    } else {
+      return Scheme::template increment<Scalar>(window, from);
+    }
+  });
+}
+
+}  // namespace splinertia
