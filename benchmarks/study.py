@@ -560,38 +560,42 @@ def draw_allan(rows, folder):
 
 PAGE_HEAD = """# Speed and accuracy: what to choose
 
-Every choice that costs accuracy for speed, measured on one machine. Made by a program, tables, plots and all:
+This page measures every choice that trades accuracy for speed, on one machine. [In short](#in-short) has the
+recommendations. A program makes the whole page with its tables and plots:
 
     cmake --workflow --preset bench
     benchmarks/study.py build/bench --data GROUNDTRUTH      # needs numpy and matplotlib
 
-which took {minutes} minutes here ({parts}).
+It took {minutes} minutes ({parts}).
 The numbers behind the plots are in [study/](study/).
 
 | | |
 |---|---|
-| processor | {processor}; {cores} cores, of which one is used; {caches} |
+| processor | {processor}; one of {cores} cores used; {caches} |
 | compiler | {compiler}, `{flags}` |
-| measured | {date}, load {load_before} when it began: the machine is shared |
+| measured | {date}, load {load_before} at the beginning, on a shared machine |
 
-Times are CPU time. Every kernel is measured {repetitions} times, in turn with those that it is compared with, for some
-milliseconds each; tables have the smallest and, in brackets, the median and the largest. On a shared machine the
-smallest are the ones to compare. Errors repeat to the digit on the same compiler.
+Times are CPU time. Every kernel is measured {repetitions} times for some milliseconds, alternating with those that it is compared
+with. Tables have the smallest time and, in brackets, the median and the largest. Compare the smallest, because the
+machine is shared. Errors are exactly reproducible with the same compiler.
 """
 
 CHOICES = """## In short
 
 {table}
 
-These are the cheapest of those that are good enough, which is to say that what is wrong with them cannot be seen beside
-the noise of an industrial-grade MEMS IMU (ADIS16448: {gyro} rad/s and {accel} m/s² in a sample of three axes at 200 Hz):
-of curves a tenth of that, in RMS, with knots as far apart as that allows; of integrators a tenth of the position error
-over 10 s that the noise makes.
+These are the cheapest choices that are good enough. Good enough means that the error is negligible beside the noise of
+an industrial-grade MEMS IMU (ADIS16448: {gyro} rad/s and {accel} m/s² in a sample of three axes at 200 Hz). For curves
+the limit is a tenth of this noise, in RMS, and the knots are as far apart as it allows. For integrators the limit is a
+tenth of the position error over 10 s that the noise causes.
+
+The wheeled robot of this study carries an IMU and is shaken by the floor, so it needs a pose in space. For planar
+motion without an IMU use `SE2`, which this study does not measure ([which group](splines.md#which-group)).
 """
 
 REPRESENTATION = """## Curves: group, order, knots, scalar
 
-Scenes are sums of sines: [scenes.hpp](../benchmarks/study/scenes.hpp) has amplitudes and frequencies.
+The scenes are sums of sines. [scenes.hpp](../benchmarks/study/scenes.hpp) has their amplitudes and frequencies.
 
 | scene | what it is |
 |---|---|
@@ -599,14 +603,15 @@ Scenes are sums of sines: [scenes.hpp](../benchmarks/study/scenes.hpp) has ampli
 | drone | turns at 0.4 to 1.6 Hz, several g, up to 10 rad/s; corrections at 4 Hz, shaking at 13 to 15 Hz, 0.05 mm and 3 mrad |
 | wheeled robot | an eight of 12 m × 6 m in 25 s; the floor at 2 Hz, 2 mm, and at 11 to 13 Hz, 0.02 mm and 0.3 mrad |
 {measured}
-A curve is fitted to poses of the scene, `fit()` in double, at 100 Hz or five for each knot interval, whichever is more;
-12.5 s of it are compared with the scene. The poses are exact: what is left is what the curve cannot follow.
+A curve is fitted to exact poses of the scene with `fit()` in double, at 100 Hz or five poses per knot interval,
+whichever is more. 12.5 s of it are compared with the scene. Since the poses are exact, the error is what the curve
+cannot follow.
 
 ![Error of the specific force against time a sample](study/representation_pareto_accel.svg)
 
 ![Error of the angular velocity against time a sample](study/representation_pareto_gyro.svg)
 
-A line joins the curves that none other with the same knots beats in both; the figures are orders, of SO(3) × R³ in double.
+Each line is the Pareto front of the curves with the same knots. The figures are orders, for SO(3) × R³ in double.
 
 ![Error of the specific force against knot interval](study/representation_knots_accel.svg)
 
@@ -614,128 +619,139 @@ A line joins the curves that none other with the same knots beats in both; the f
 
 ### Knots come first
 
-The order that it takes, in double on {group}, for f and ω to be good enough, with knots so far apart:
+The smallest order for which f and ω are good enough, in double on {group}, for each knot interval (— is none):
 
 {orders}
 
-- **Knots have to be closer than half a period of the fastest motion that matters.** With knots further apart all orders
-  are equally wrong: what oscillates faster is smoothed away. Tremor of 9 Hz needs knots well below 0.05 s.
-- **From there on each halving of the interval divides the error of f by 2 to the order − 2,** that of ω by 2 to the
-  order − 1: by 4 for the cubic, by 16 for order 6. So higher orders pay where knots are already close enough. Rotations
-  about changing axes fall short of that from order 6 on (hand-held, order 8, last halving: ω by {last_halving} instead of
-  128): their products do not commute.
-- **Order 4 is the least for an accelerometer.** Order 3 has jumps of the acceleration, and it shows.
-- **Close knots are cheap to evaluate, and not to have:** halving the interval doubles memory and the time to fit, and
-  knots closer than two or three poses of your data follow their noise. A higher order costs
-  {per_order} ns a sample for each step, and no memory.
-- Of a measured trajectory, what is above half the rate of the knots is gone, whatever the order.
+- **Knots must be closer than half a period of the fastest relevant motion.** With knots further apart all orders are
+  equally wrong, because faster oscillations are smoothed away. Tremor of 9 Hz needs knots well below 0.05 s.
+- **Below that, each halving of the interval divides the error of f by 2 to the power of order − 2,** and that of ω by 2
+  to the power of order − 1. For f that is 4 for the cubic and 16 for order 6. So higher orders pay off once knots are
+  close enough. Rotations about changing axes gain less from order 6 on, because they do not commute (hand-held, order
+  8, last halving: ω by {last_halving} instead of 128).
+- **Order 4 is the minimum for an accelerometer.** With order 3 the acceleration jumps, and the table below shows the
+  error.
+- **Close knots are cheap to evaluate but costly otherwise.** Halving the interval doubles the memory and the time of a
+  fit. Knots closer than two or three poses of your data follow their noise. Each higher order costs {per_order}, and no memory.
+- A curve fitted to a measured trajectory has lost everything above half the rate of the knots, whatever its order.
 
 ### What it costs
 
-ns a sample of an IMU, 1 kHz for `sample_imu()`, over all scenes and knots; instructions are counted with AVX2
-(-march=x86-64-v3); `g++ -O2 -c` of ten lines that evaluate one sample:
+The table has ns per IMU sample over all scenes and knots (1 kHz for `sample_imu()`), instructions counted with AVX2
+(-march=x86-64-v3), and the time of `g++ -O2 -c` for ten lines that evaluate one sample:
 
 {cost}
 
 ### SO(3) × R³ or SE(3)
 
-Errors in double, RMS (largest), with the knots that are recommended for the scene, of the measured flight with 0.0125 s:
+Use SO(3) × R³ unless you need a property of SE(3). The table has the errors in double, RMS (largest), with the
+recommended knots of each scene; for the measured flight these are 0.0125 s:
 
 {errors}
 
-- **The angular velocity is the same to the digit.** Both hold rotations in the same way.
-- **SE(3) is off by more in f:** at order 6 by the factors {ratios}.
-  It takes {time_ratio} times as long one by one. Its acceleration has the angular velocity in it: where a body turns fast
-  and independently of where it goes, that is error and nothing else.
-- Take SE(3) where its own property is wanted: the same curve whichever point of the body it is of (docs/splines.md).
+- **The angular velocity is identical,** because both represent rotations in the same way.
+- **SE(3) has a larger error of f:** at order 6 by the factors
+  {ratios}. It takes {time_ratio} times as long one by one. Its acceleration contains the angular velocity. If a
+  body turns fast and independently of its path, this only adds error.
+- Use SE(3) if the curve must be the same for every point of the body that the pose may refer to
+  ([splines](splines.md)).
 
 ### float, double or long double
 
-Error of f, RMS [m/s²], order 6 on SO(3) × R³, the wheeled robot, which is up to 7 m from the origin; knots in s:
+Use double. The table has the RMS error of f [m/s²] for order 6 on SO(3) × R³ and the wheeled robot, which is up to 7 m
+from the origin; knots in s:
 
 {scalars}
 
-- **float is good for knots down to 0.025 s** within some metres of the origin. Rounding of a position is divided by the
-  interval squared: about 6e-8·|p|/interval² in f. Below that, or far from the origin, it grows as knots get closer.
-- It takes {float_single} of the time of double one by one, and {float_dense} in `sample_imu()`.{subnormal}
-- **long double buys nothing here.** The control points were fitted in double; evaluating them with more digits changes
-  nothing that can be seen, and takes {long_single} times as long one by one, and {long_dense} times in
-  `sample_imu()`, since no vector unit has it. It is for checking.
+- **float is sufficient for knots down to 0.025 s** within some metres of the origin. The rounding of a position is
+  divided by the interval squared, which is about 6e-8·|p|/interval² in f. With closer knots, or far from the origin,
+  this error grows.
+- float takes {float_single} of the time of double one by one, and {float_dense} in `sample_imu()`.
+- **long double gains nothing here.** The control points were fitted in double, so more digits in the evaluation change
+  nothing visible. It takes {long_single} times as long one by one, and {long_dense} times in `sample_imu()`, since no vector
+  unit supports it. Use it for checks.
 """
 
 INTEGRATORS = """## Integrators
 
-10 s from the true initial state, position error RMS over the time. Without noise, what is left is the scheme's own
-error; with it all good schemes are equally wrong. 20 runs of each grade:
+Use `Midpoint` for slow motion or high rates, `RungeKutta4DoubleStep` for fast motion at low rates, and
+`TwoSampleIncrements` if the IMU delivers increments.
+
+The error is the RMS position error over 10 s from the true initial state. Without noise it is the scheme's own error;
+with noise all good schemes are equally wrong. There are 20 runs of each grade:
 {grades}.
 
 ![Error against time a sample](study/integrators_pareto.svg)
 
 ![Error against rate](study/integrators_rates.svg)
 
-The cheapest scheme whose own error is at most a tenth of what the noise of that grade does: of point samples, and in
-brackets of increments, which an IMU that integrates inside delivers. A better one is pointless there; — is none.
+The next table has the cheapest scheme whose own error is at most a tenth of the error that the noise of that grade
+causes. The first name is for point samples, the one in brackets for increments, which an IMU delivers if it integrates
+internally. A better scheme gains nothing; — means that no scheme is good enough.
 
 {cheapest}
 
-What a scheme costs, and its own error at {rate:g} Hz:
+The cost of each scheme, and its own error at {rate:g} Hz:
 
 {cost}
 
-- **Euler saves {euler_saves} ns a sample against the midpoint rule and is {euler_worse} times as far off** at {rate:g} Hz;
-  the zero-order hold saves nothing.
-- **`{fourth}` is the scheme of order 4 to take for point samples:** it looks at two intervals at
-  once. `RungeKutta4` on single intervals, which has to guess what is between samples, stays at order 2.
-- **An IMU that delivers increments is worth having.** `TwoSampleIncrements` is more accurate than every scheme on point
-  samples, and as cheap as the midpoint rule.
-- **A better scheme is cheaper than a higher rate:** twice the rate is twice the samples, and divides the error of the
-  midpoint rule by 4.
-- The consumer's part has less white noise than the industrial one by its data sheet; what that one is bought for, its bias,
-  is left out here, since whoever integrates has estimated it.
+- **Euler saves {euler_saves} ns per sample over the midpoint rule, but its error is {euler_worse} times as large** at {rate:g} Hz. The
+  zero-order hold saves nothing.
+- **`{fourth}` is the order-4 scheme to use for point samples.** It spans two intervals at once.
+  `RungeKutta4` on single intervals must interpolate between samples and stays at order 2.
+- **An IMU with increments is an advantage.** `TwoSampleIncrements` is more accurate than every scheme on point samples,
+  and as cheap as the midpoint rule.
+- **A better scheme is cheaper than a higher rate.** Twice the rate means twice the samples, and divides the error of
+  the midpoint rule by 4.
+- By its data sheet the consumer part has less white noise than the industrial one. The advantage of the industrial part
+  is its bias, which is left out here because an estimator removes it.
 """
 
 ERROR_TERMS = """## Error terms
 
-ns a sample of both sensors beyond the empty model, which takes {empty}; a term is on all axes of both, unless it says
-otherwise.
+The table has ns per sample of both sensors beyond the empty model, which takes {empty}. Each term is on all axes of both
+sensors unless the table says otherwise.
 
 ![Time of error terms](study/error_terms.svg)
 
 {table}
 
-- **Biases, scale factor, rate ramp and g-sensitivity are free;** misalignment and saturation are next to it. Noise is what
-  costs: six normal numbers take about {white} ns.
-- **What takes a function or many numbers is dear:** sinusoidal vibration (a reproducible sine an axis), bias instability (21
-  normal numbers an axis), the temperature terms (an exponential a sensor). If the log is short, leave bias instability out,
-  or take Gauss–Markov.
+- **Biases, scale factor, rate ramp and g-sensitivity are free;** misalignment and saturation are almost free. Noise
+  dominates the cost: six normal numbers take about {white} ns.
+- **Terms with a function or many random numbers are expensive:** sinusoidal vibration (a reproducible sine per axis),
+  bias instability (7 normal numbers per axis), the temperature terms (an exponential per sensor). If the log is short,
+  leave out bias instability, or use Gauss–Markov.
 """
 
 ALLAN = """## Allan deviations
 
-Logs of an hour, of white noise and a random walk: at 200 Hz, and as averages over 4 s. What a whole curve costs, ns a
-sample, the smallest:
+For N and K use the overlapping deviation on octaves or 1-2-5; use `identify()` to find which terms exist.
+
+The logs last an hour and contain white noise and a random walk, at 200 Hz and as averages over 4 s. The next two tables
+have the time for a whole curve, ns per sample, smallest:
 
 {costs}
 
-What estimates are worth: N (white noise) and K (random walk) of simulated logs, by `fit_curve()` to such a curve and by
-`identify()` from the log itself. Errors are relative, RMS; the share of one-sigma intervals that hold the truth should be
-0.68.
+Accuracy of the estimates of N (white noise) and K (random walk) from simulated logs, by `fit_curve()` from such a curve
+and by `identify()` from the log itself. Errors are relative, RMS. The fraction of one-sigma intervals that contain the
+truth should be 0.68.
 
 ![Error of N and K against time](study/allan.svg)
 
 {estimates}
 
-- **The overlapping deviation on octaves or 1-2-5 is enough for N and K,** in {short} to {long} ms. Non-overlapping costs
-  no less on a long log.
-- **More averaging times make it worse, not better:** points close together say the same, and the fit counts them twice.
-- **`identify()` takes {dearer} times as long** as the 1-2-5 of a long log and is as good. It is the one that tells which of
-  the five terms are there at all (docs/allan.md).
+- **The overlapping deviation on octaves or 1-2-5 is enough for N and K,** in {short} to {long} ms. The non-overlapping
+  deviation is no cheaper on a long log.
+- **More averaging times make the estimates worse, not better:** neighbouring points carry the same information, and the
+  fit counts it twice.
+- **`identify()` takes {dearer} times as long** as 1-2-5 on a long log, with the same accuracy. Only it finds which of the
+  terms exist ([allan.md](allan.md)).
 - The modified deviation costs three to four times as much on a long log.
 """
 
 COMPILING = """## What it costs to compile
 
-`{compiler} -O2 -c`, CPU seconds of {repetitions} runs: the smallest (median, largest), and peak memory:
+`{compiler} -O2 -c`, CPU seconds of {repetitions} runs: smallest (median, largest), and peak memory:
 
 {table}
 """
@@ -747,7 +763,7 @@ def spread(values, digits=2):
 
 
 def representation_section(data, folder, measured_file):
-    measured = (f"| measured flight | {measured_file}: the curve of order 6 with knots 0.02 s apart that fits it |\n"
+    measured = (f"| measured flight | {measured_file}: a curve of order 6 with knots 0.02 s apart, fitted to it |\n"
                 if "measured" in data.scenes else "")
     rows = []
     for scene in data.scenes:
@@ -818,7 +834,7 @@ def representation_section(data, folder, measured_file):
                  - data.times(way, group="SO3xR3", scalar="double", order=3)[0] for way in ("single", "dense")]
     return REPRESENTATION.format(
         group=GROUPS["SO3xR3"], orders=orders, cost=cost, errors=errors, scalars=scalars,
-        per_order=f"about {number(per_order[0] / 5)} (in `sample_imu()` {number(per_order[1] / 5)})",
+        per_order=f"about {number(per_order[0] / 5)} ns per\n  sample ({number(per_order[1] / 5)} in `sample_imu()`)",
         subnormal=subnormal, measured=measured, last_halving=number(last[-2]["gyro_rms"] / last[-1]["gyro_rms"]),
         ratios=", ".join(f"{number(ratio)} ({SCENES[scene]})" for scene, ratio in ratios.items()), time_ratio=ratio("single", group="SE3"),
         float_single=ratio("single", scalar="float"), float_dense=ratio("dense", scalar="float"),
@@ -840,14 +856,14 @@ def integrators_section(data):
              *(number(data.error[scene, "none", rate, scheme]) for scene in data.scenes)] for scheme in data.schemes]
     rows += [[f"noise alone, {grade}", "", *(number(data.floor(scene, grade, rate)) for scene in data.scenes)]
              for grade in GRADES]
-    cost = table(["", "ns a sample", *(f"{SCENES[scene]}, m" for scene in data.scenes)], rows)
+    cost = table(["", "ns per sample", *(f"{SCENES[scene]}, m" for scene in data.scenes)], rows)
     worse = [data.error[scene, "none", rate, "Euler"] / data.error[scene, "none", rate, "Midpoint"]
              for scene in data.scenes]
     return INTEGRATORS.format(
         cheapest=cheapest, cost=cost, rate=rate, fourth="RungeKutta4DoubleStep",
         euler_saves=number(data.times("Midpoint")[0] - data.times("Euler")[0]),
         euler_worse=f"{number(min(worse))} to {number(max(worse))}",
-        grades="consumer MPU-6050, industrial ADIS16448, tactical STIM300, within a run: without turn-on bias")
+        grades="consumer MPU-6050, industrial ADIS16448, tactical STIM300, without turn-on bias (as within a run)")
 
 
 def error_terms_section(rows):
@@ -912,8 +928,8 @@ def choices(representation, integrators):
         rate = RATE if RATE in integrators.rates else integrators.rates[-1]
         rows.append([*row, *(integrators.cheapest(scene, "industrial", rate, schemes) or "—"
                              for schemes in (POINT_SCHEMES, INCREMENT_SCHEMES))])
-    header = ["scene", "curve", "ns a sample, one by one / `sample_imu()`", "kB of curve a second",
-              f"integrator of samples at {rate:g} Hz", "of increments"]
+    header = ["scene", "curve", "ns per sample, one by one / `sample_imu()`", "kB of curve per second",
+              f"integrator for samples at {rate:g} Hz", "for increments"]
     return CHOICES.format(table=table(header, rows), gyro=number(GYRO_NOISE), accel=number(ACCEL_NOISE))
 
 

@@ -14,7 +14,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-set(SPLINERTIA_SHARED_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH "Recorded data that tests use")
+set(SPLINERTIA_TEST_DATA "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
+  "Folder of recorded data; tests of files that are not there are skipped")
 
 # splinertia_real_data_test(<name> <source> <command...>): what the source needs is said by its line "Real data: PATH...".
 function(splinertia_real_data_test name source)
@@ -24,7 +25,7 @@ function(splinertia_real_data_test name source)
   endif()
   string(REGEX REPLACE "^(//|#) Real data: " "" data "${line}")
   separate_arguments(data)
-  list(TRANSFORM data PREPEND "${SPLINERTIA_SHARED_DATA_DIR}/")
+  list(TRANSFORM data PREPEND "${SPLINERTIA_TEST_DATA}/")
   add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -D "DATA=${data}" -D "COMMAND=${ARGN}"
     -P "${PROJECT_SOURCE_DIR}/tests/real_data.cmake")
   set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "^skipped: ")

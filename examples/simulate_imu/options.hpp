@@ -20,7 +20,7 @@ struct Options {
   std::string motion = "ellipse";
   double duration = 20;
   std::optional<double> rate;  // default: that of the file imu_noise, else 200
-  std::string preset = "course";
+  std::string preset = "euroc";
   std::filesystem::path errors, imu_noise;
   std::optional<double> gyro_noise, gyro_walk, accel_noise, accel_walk;
   GravityOption gravity;

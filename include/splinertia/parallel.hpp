@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Threads for work of which no part depends on another: axes of a log, runs of a simulation, curves of a data set.
-/// Nothing in the library starts a thread; who wants some says so. (Some systems want a program that does linked with
-/// their thread library: CMake's Threads::Threads.)
+/// Threads for independent pieces of work: axes of a log, runs of a simulation, curves of a data set. The library never
+/// starts threads unless you pass `Parallel`. (On some systems a program with threads must be linked with the thread
+/// library: CMake's Threads::Threads.)
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -17,10 +17,10 @@
 
 namespace splinertia {
 
-/// One after the other in the thread that calls.
+/// All indices one after the other, in the calling thread.
 struct SingleThread {};
 
-/// Several at once, in so many threads, that which calls among them; 0: as many as the machine runs at once.
+/// Several indices at once, in `threads` threads including the calling one. 0: as many as the machine runs at once.
 struct Parallel {
   unsigned threads = 0;
 };
@@ -33,9 +33,9 @@ inline void for_each_index(SingleThread, std::size_t count, const auto& f) {
   for (std::size_t i = 0; i < count; ++i) f(i);
 }
 
-/// The same in any order and several at once, so that no f(i) may write what another reads or writes; a result that
-/// f(i) alone writes at place i is the same as that of one thread. Returns when all are done. If some throw, those that
-/// have not begun are left out, and one of the exceptions is thrown here.
+/// f(0), …, f(count − 1) in any order and several at once. No f(i) may write what another one reads or writes. If each
+/// f(i) writes only its own element i of a result, the result is the same as with one thread. Returns when all calls
+/// are done. If some throw, calls that have not begun are skipped, and one of the exceptions is rethrown here.
 inline void for_each_index(Parallel policy, std::size_t count, const auto& f) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr error;
@@ -51,7 +51,7 @@ inline void for_each_index(Parallel policy, std::size_t count, const auto& f) {
   };
   const std::size_t wanted = policy.threads > 0 ? policy.threads : (std::max)(1U, std::thread::hardware_concurrency());
   {
-    struct Joined {  // std::jthread, which libc++ has since version 18
+    struct Joined {  // in place of std::jthread, which libc++ has since version 18
       std::vector<std::thread> threads;
       ~Joined() {
         for (std::thread& thread : threads) thread.join();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All of splinertia but files (io/), other libraries (adapters/) and threads (parallel.hpp). Each header also stands
-/// alone.
+/// All of splinertia except files (io/), other libraries (adapters/) and threads (parallel.hpp). Each header can also
+/// be included alone.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>

@@ -26,13 +26,14 @@ inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = 
 template <typename T>
 concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
 
-/// A time, or a difference of two: that of the ends of an integer Time takes its unsigned type.
+/// Times and their differences. The difference between the ends of an integer Time needs its unsigned type.
 template <typename T>
 inline constexpr bool is_time_difference = TimePoint<T>;
 template <std::unsigned_integral Rep, typename Period>
 inline constexpr bool is_time_difference<std::chrono::duration<Rep, Period>> = true;
 
-/// A time difference in seconds. Differences are taken in the type of time, so that epoch stamps lose nothing.
+/// A time difference in seconds. Take the difference in the type of time, so that stamps since an epoch lose no
+/// precision.
 template <typename Scalar, typename Time>
   requires is_time_difference<Time>
 [[nodiscard]] constexpr Scalar to_seconds(Time difference) {
@@ -43,7 +44,7 @@ template <typename Scalar, typename Time>
   }
 }
 
-/// What to print: seconds, or ticks of an integer duration.
+/// The number to print: seconds, or ticks of an integer duration.
 template <TimePoint Time>
 [[nodiscard]] constexpr auto printable(Time t) {
   if constexpr (std::floating_point<Time>) {
@@ -53,8 +54,8 @@ template <TimePoint Time>
   }
 }
 
-/// to − from. Where an integer Time does not hold the difference (64 bits of nanoseconds hold 292 years), the result is
-/// the nearest that it holds.
+/// to − from. If an integer Time cannot hold the difference (64 bits of nanoseconds hold 292 years), the result is the
+/// nearest value that it holds.
 template <TimePoint Time>
 [[nodiscard]] constexpr Time time_between(Time from, Time to) {
   if constexpr (std::floating_point<Time>) {
@@ -68,8 +69,8 @@ template <TimePoint Time>
   }
 }
 
-/// to − from in the units of Time (seconds, or ticks of an integer duration): taken in the type of Time, or in Real
-/// where that holds more digits, and so rounded once. Requires that Time holds the difference.
+/// to − from in the units of Time (seconds, or ticks of an integer duration), rounded once: the subtraction is done in
+/// Time, or in Real if a floating-point Time has fewer digits. Requires that Time holds the difference.
 template <typename Real, TimePoint Time>
 [[nodiscard]] inline Real units_between(Time from, Time to) {
   if constexpr (!std::floating_point<Time>) {
@@ -92,8 +93,8 @@ template <TimePoint Time, typename... Parts>
 }
 }  // namespace detail
 
-/// Throws std::invalid_argument, which begins with `whose` and names `what` (plural), unless Time holds last − first,
-/// and with it all differences of times from first to last. Requires first <= last.
+/// Throws std::invalid_argument unless Time holds last − first, and with it all differences of times from first to
+/// last. The message begins with `whose` and names `what` (plural). Requires first <= last.
 template <TimePoint Time>
 void check_span(std::string_view whose, std::string_view what, Time first, Time last) {
   if constexpr (std::floating_point<Time>) {
@@ -107,21 +108,22 @@ void check_span(std::string_view whose, std::string_view what, Time first, Time 
   }
 }
 
-/// `duration`, s, as the nearest number of ticks. Throws std::out_of_range for NaN and for what Time does not hold.
+/// `duration` (s) as the nearest number of ticks. Throws std::out_of_range for NaN and for what Time cannot hold.
 template <TimePoint Time, std::floating_point Seconds>
   requires is_integer_duration<Time>
 [[nodiscard]] Time to_ticks(Seconds duration) {
   using Ticks = std::chrono::duration<Seconds, typename Time::period>;
   const Seconds ticks = Ticks(std::chrono::duration<Seconds>(duration)).count();
-  // 2^(bits − 1) − 1/2 is the first that rounds to an integer beyond; in Seconds of few digits it is 2^(bits − 1).
+  // 2^(bits − 1) − 1/2 is the smallest number that rounds to an integer out of range. If Seconds has too few digits for
+  // it, the limit is 2^(bits − 1).
   constexpr Seconds limit =
       -static_cast<Seconds>((std::numeric_limits<typename Time::rep>::min)()) - Seconds(1) / Seconds(2);
   if (!is_finite(duration) || !(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
   return Time(static_cast<typename Time::rep>(std::llround(ticks)));
 }
 
-/// The time that is `elapsed` seconds after `start`, to the nearest tick. Throws std::out_of_range where an integer
-/// Time does not hold it.
+/// The time `elapsed` seconds after `start`, to the nearest tick. Throws std::out_of_range if an integer Time cannot
+/// hold it.
 template <TimePoint Time>
 [[nodiscard]] Time after(Time start, double elapsed) {
   if constexpr (std::floating_point<Time>) {
@@ -135,7 +137,7 @@ template <TimePoint Time>
   }
 }
 
-/// The time right after t: the next number, or the next tick. The last time of all is its own next.
+/// The first time after t: the next number, or the next tick. The largest time is its own next.
 template <TimePoint Time>
 [[nodiscard]] Time next_time(Time t) {
   if constexpr (std::floating_point<Time>) {
@@ -145,9 +147,8 @@ template <TimePoint Time>
   }
 }
 
-/// The same time as another type: to the nearest tick from seconds, towards zero from finer ticks. Seconds since an
-/// epoch of today are good to a quarter of a microsecond as double. Throws std::out_of_range where Time does not hold
-/// it.
+/// The same time in another type. Seconds are rounded to the nearest tick, finer ticks towards zero. Today's seconds
+/// since 1970 are good to a quarter of a microsecond as double. Throws std::out_of_range if Time cannot hold it.
 template <TimePoint Time, TimePoint From>
 [[nodiscard]] Time as_time(From t) {
   if constexpr (std::same_as<Time, From>) {
@@ -168,8 +169,8 @@ template <TimePoint Time, TimePoint From>
   }
 }
 
-/// The same time in nanoseconds, as files of the field keep it; seconds are rounded to the nearest. Throws
-/// std::out_of_range beyond 292 years, which is what 64 bits hold.
+/// The same time in nanoseconds, the unit of the field's file formats. Seconds are rounded to the nearest nanosecond.
+/// Throws std::out_of_range beyond 292 years, which is what 64 bits hold.
 template <TimePoint Time>
 [[nodiscard]] std::chrono::nanoseconds to_nanoseconds(Time t) {
   return as_time<std::chrono::nanoseconds>(t);

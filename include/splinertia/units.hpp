@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// The units of IMU data sheets. A data sheet's figure times its unit is ours (SI, radians, densities of continuous
-/// time); ours divided by the unit is the data sheet's:
+/// The units of IMU data sheets. A data sheet's figure times its unit is the value in this library's units (SI,
+/// radians, densities of continuous time). Divide by the unit to convert back:
 ///
 ///   WhiteNoise{0.66 * units::degree_per_root_hour}      // angle random walk 0.66 °/√h
 ///
-/// What a figure means is another matter (one-sided density? Allan floor?): see errors/noise_densities.hpp.
+/// For the meaning of a figure (one-sided density? Allan floor?) see errors/noise_densities.hpp.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -36,7 +36,7 @@ inline constexpr double degree_per_hour_per_root_hertz = degree_per_hour;       
 // Gyroscope, random walk K. rad/s/√s = rad/s²/√Hz.
 inline constexpr double degree_per_hour_per_root_hour = degree_per_hour / 60;  ///< °/h/√h → rad/s²/√Hz
 
-// Accelerometer: range, resolution, bias. The g of data sheets is standard gravity (ISO 80000-3), wherever one is.
+// Accelerometer: range, resolution, bias. The g of data sheets is standard gravity (ISO 80000-3), not the local one.
 inline constexpr double standard_g = 9.80665;         ///< g → m/s²
 inline constexpr double milli_g = 1e-3 * standard_g;  ///< mg → m/s²
 inline constexpr double micro_g = 1e-6 * standard_g;  ///< µg → m/s²

@@ -140,7 +140,7 @@ struct Stable32Row {
   double lower, sigma, upper;
 };
 
-[[nodiscard]] inline std::string stable32_folder() { return SPLINERTIA_SHARED_DATA_DIR "/allan/"; }
+[[nodiscard]] inline std::string stable32_folder() { return SPLINERTIA_TEST_DATA "/allan/"; }
 
 /// The lines of a file there but its comments, one number or row each.
 [[nodiscard]] inline std::vector<std::string> stable32_lines(const std::string& file) {

@@ -24,7 +24,7 @@ double tilt(const ImuCalibration<double>& calibration) {
 }  // namespace
 
 TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its trajectory", "[.real_data]") {
-  const auto folder = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair";
+  const auto folder = std::filesystem::path(SPLINERTIA_TEST_DATA) / "euroc_MH_05_pair";
   const auto states = read_euroc_groundtruth(folder / "gt.csv");
   const auto samples = read_euroc_imu(folder / "imu0.txt");
   std::vector<Stamped<SO3xR3<double>>> poses;

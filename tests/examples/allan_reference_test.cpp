@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Real data: allan/nbs1000_exact.csv allan/stable32_phase_dat allan/stable32_pink
 // `allan deviation` against what others have computed: the values that NIST SP 1065 publishes, and where the data is at
-// hand (SPLINERTIA_SHARED_DATA_DIR/allan) tables of Stable32.
+// hand (SPLINERTIA_TEST_DATA/allan) tables of Stable32.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -24,7 +24,7 @@ using test::TemporaryDirectory;
 
 namespace {
 
-const std::filesystem::path shared = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "allan";
+const std::filesystem::path shared = std::filesystem::path(SPLINERTIA_TEST_DATA) / "allan";
 
 struct Row {
   std::int64_t m;

@@ -10,6 +10,6 @@ if(NOT EVO_APE OR NOT PYTHON)
   return()
 endif()
 
-set(recorded "${SHARED_DATA_DIR}/euroc_V1_02_medium_gt.csv")
+set(recorded "${TEST_DATA}/euroc_V1_02_medium_gt.csv")
 compare_in_python(compare_with_evo.py "${EVO_APE}" "${out}" "${recorded}" perturb)
 compare_in_python(compare_by_definition.py "${out}" "${recorded}" "${out}/perturbed.tum" 5 20 50)

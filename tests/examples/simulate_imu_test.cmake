@@ -13,7 +13,7 @@ function(expect_equal got expected)
 endfunction()
 
 # The main job on the ellipse. Euler is off by 0.392 m and midpoint by 0.00067 m, from exact samples.
-run(0 "ideal  Euler +0[.]392 .*ideal  Midpoint +0[.]00067.*noisy  Euler .*noisy  Midpoint" --output "${out}" --csv "${out}/table.csv")
+run(0 "ideal  Euler +0[.]392 .*ideal  Midpoint +0[.]00067.*noisy  Euler .*noisy  Midpoint" --preset course --output "${out}" --csv "${out}/table.csv")
 file(STRINGS "${out}/imu.csv" imu)
 list(LENGTH imu lines)
 expect_equal(${lines} 4002)   # the header and both ends of 20 s at 200 Hz
@@ -41,10 +41,10 @@ expect_equal(${magic} 934e554d5059)
 
 # The same seed gives the same bytes, another seed others.
 file(SHA256 "${out}/imu.csv" first)
-run(0 "seed 0" --output "${out}/a")
+run(0 "seed 0" --preset course --output "${out}/a")
 file(SHA256 "${out}/a/imu.csv" again)
 expect_equal(${again} ${first})
-run(0 "seed 1" --output "${out}/b" --seed 1)
+run(0 "seed 1" --preset course --output "${out}/b" --seed 1)
 file(SHA256 "${out}/b/imu.csv" other)
 if(other STREQUAL first)
   message(FATAL_ERROR "another seed gave the same samples")
@@ -131,6 +131,7 @@ run(0 "knots: uniform, 0.2[0-9]* s apart .chosen: further apart they would miss 
 run(0 "Usage:.*--rate.*--gyro-noise.*--seed" --help)
 
 # The errors of an IMU: known ones, from Kalibr's file, and a list of terms. What is the same makes the same samples.
+run(0 "random walk: density 1.9393e-05 .*white noise: density 0.002 " --duration 2 --output "${out}/usual")
 foreach(preset IN ITEMS course course-quiet mpu6050 adis16448 stim300 euroc ideal)
   run(0 "noisy  Midpoint +[0-9.e+-]+" --preset ${preset} --duration 2 --output "${out}/${preset}")
 endforeach()

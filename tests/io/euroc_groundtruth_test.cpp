@@ -121,7 +121,7 @@ TEST_CASE("bad ground truth is refused by line") {
 }
 
 TEST_CASE("EuRoC's own file is read", "[.real_data]") {
-  const auto path = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_V1_02_medium_gt.csv";
+  const auto path = std::filesystem::path(SPLINERTIA_TEST_DATA) / "euroc_V1_02_medium_gt.csv";
   const auto read = read_euroc_groundtruth(path);
   REQUIRE(read.size() == 16702);
   CHECK(read.front().time == nanoseconds{1403715524907143168});

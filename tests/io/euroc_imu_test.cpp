@@ -146,7 +146,7 @@ TEST_CASE("nothing half-written") {
 }
 
 TEST_CASE("a recorded IMU file is read", "[.real_data]") {
-  const auto path = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair/imu0.txt";
+  const auto path = std::filesystem::path(SPLINERTIA_TEST_DATA) / "euroc_MH_05_pair/imu0.txt";
   const auto imu = read_euroc_imu(path);
   REQUIRE(imu.size() == 22721);
   CHECK(imu.front().time == nanoseconds{1403638518097829376});

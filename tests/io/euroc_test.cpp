@@ -8,7 +8,7 @@
 using namespace splinertia;
 
 TEST_CASE("both files of a EuRoC sequence share a clock", "[.real_data]") {
-  const auto folder = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "euroc_MH_05_pair";
+  const auto folder = std::filesystem::path(SPLINERTIA_TEST_DATA) / "euroc_MH_05_pair";
   const auto imu = read_euroc_imu(folder / "imu0.txt");
   const auto truth = read_euroc_groundtruth(folder / "gt.csv");
   REQUIRE(imu.size() == 22721);

@@ -286,7 +286,7 @@ TEST_CASE("a pipe is read once, from its first byte") {
 }
 
 TEST_CASE("recorded trajectories of either format are read", "[.real_data]") {
-  const std::filesystem::path folder = SPLINERTIA_SHARED_DATA_DIR;
+  const std::filesystem::path folder = SPLINERTIA_TEST_DATA;
   CHECK(read_trajectory(folder / "tum_freiburg1_xyz_gt.txt").poses.size() == 3000);
   CHECK(read_trajectory(folder / "euroc_V1_02_medium_gt.csv").velocities.size() == 16702);
   CHECK(read_trajectory(folder / "euroc_MH_05_pair/gt.csv").poses.size() == 22212);

@@ -95,7 +95,7 @@ TEST_CASE("nothing half-written") {
 }
 
 TEST_CASE("the TUM benchmark's own file is read", "[.real_data]") {
-  const std::filesystem::path path = std::filesystem::path(SPLINERTIA_SHARED_DATA_DIR) / "tum_freiburg1_xyz_gt.txt";
+  const std::filesystem::path path = std::filesystem::path(SPLINERTIA_TEST_DATA) / "tum_freiburg1_xyz_gt.txt";
   const auto poses = read_tum(path);
   REQUIRE(poses.size() == 3000);
   CHECK(poses.front().time == nanoseconds{1305031098665900000});

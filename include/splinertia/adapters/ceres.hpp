@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Curves in Ceres Solver (2.1 or newer): a manifold for control points in the memory of Sophus objects, and residuals
-/// of poses, of an IMU's samples and of preintegrated motions with analytic Jacobians. Not part of splinertia.hpp: it
+/// with analytic Jacobians for poses, IMU samples and preintegrated motions. Not part of splinertia.hpp, because it
 /// needs Ceres.
 ///
 ///   std::vector<Sophus::SE3d> T = …;                    // control points, of UniformKnots knots{start, interval}
@@ -9,8 +9,8 @@
 ///   problem.AddResidualBlock(new CeresGyroscopeResidual<Sophus::SE3d, 4>(basis, gyro, W), nullptr,
 ///                            T[i].data(), T[i + 1].data(), T[i + 2].data(), T[i + 3].data(), bias.data());
 ///
-/// For residuals of your own with automatic differentiation, evaluate<D, Sophus::SE3<Jet>>(blocks, basis) of
-/// spline/parameter_blocks.hpp takes the blocks of a ceres::Jet that Ceres passes.
+/// For residuals of your own with automatic differentiation, pass the blocks of ceres::Jet that Ceres gives you to
+/// evaluate<D, Sophus::SE3<Jet>>(blocks, basis) of spline/parameter_blocks.hpp.
 #pragma once
 
 #include <splinertia/adapters/ceres_imu.hpp>

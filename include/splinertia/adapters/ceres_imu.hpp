@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// Residuals of the samples of an IMU in the body frame. W (3 × 3) is the square root of a sample's information,
-/// WᵀW = covariance⁻¹: for white noise of density N sampled at a rate, I/(N √rate).
+/// WᵀW = covariance⁻¹. For white noise of density N, sampled at `rate` Hz, it is I/(N √rate).
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -59,7 +59,7 @@ class CeresGyroscopeResidual final : public CeresResidual<G, Order, 3> {
 /// r = W (Rᵀ(p̈ − g) + b − z): an accelerometer's reading z, m/s², against the curve's specific force and the bias b.
 /// G is SO3xR3 or SE3.
 /// Blocks: the control points, the bias (3, m/s²), the gravity g (3, acceleration of free fall in the world, m/s²). To
-/// estimate the direction of g alone, give its block a ceres::SphereManifold<3>; to keep it, hold it constant.
+/// estimate the direction of g alone, give its block a ceres::SphereManifold<3>; to fix g, hold the block constant.
 template <LieGroupWithJacobians G, int Order>
   requires Pose<G>
 class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {

@@ -13,7 +13,7 @@
 
 namespace splinertia {
 
-/// A matrix as Ceres keeps it: row by row.
+/// A matrix in the memory layout of Ceres: row-major.
 template <int Rows, int Columns>
 using CeresMatrix = Eigen::Matrix<double, Rows, Columns, Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
@@ -22,8 +22,9 @@ using CeresMatrix = Eigen::Matrix<double, Rows, Columns, Columns == 1 ? Eigen::C
 ///
 ///   problem.AddParameterBlock(T.data(), 7, new CeresManifold<Sophus::SE3d>);
 ///
-/// ambient size parameter_count<G>, tangent size Dof, tangents in the order of G's; y ⊟ x = log(x⁻¹ y). Jacobians are
-/// analytic. Requires blocks on the group: unit quaternions, of which rounding takes about eps a step.
+/// The ambient size is parameter_count<G>, the tangent size Dof, with tangents in the order of G; y ⊟ x = log(x⁻¹ y).
+/// Jacobians are analytic. Requires blocks on the group, e.g. unit quaternions; each step changes their norm by about
+/// eps through rounding.
 template <LieGroup G>
   requires std::same_as<ScalarOf<G>, double>
 class CeresManifold final : public ceres::Manifold {

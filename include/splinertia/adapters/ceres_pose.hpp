@@ -10,7 +10,7 @@
 
 namespace splinertia {
 
-/// r = W log(Z⁻¹ X): how far the curve's value X is from the measured Z, in Z's frame, in tangents of G (SE3
+/// r = W log(Z⁻¹ X): the deviation of the curve's value X from the measured Z, in Z's frame, in tangents of G (SE3
 /// [translation; rotation], SO3xR3 [rotation; translation]).
 ///
 ///   problem.AddResidualBlock(new CeresPoseResidual<Sophus::SE3d, 4>(basis, T_WB, W), nullptr, T0, T1, T2, T3);
@@ -54,22 +54,22 @@ class CeresPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
   Jacobian<G> weight_;
 };
 
-/// The same for a sensor whose clock is off: its stamp t means time t + τ of the curve, with τ (s) in a block of its
-/// own after the control points. This is how the offset between a camera and an IMU is estimated: poses of the camera
-/// with one τ for all, the IMU's samples without.
+/// The same for a sensor with a clock offset: its stamp t is time t + τ of the curve. τ (s) is a block after the
+/// control points. To estimate the offset between a camera and an IMU, use this residual with one common τ for the
+/// camera's poses, and residuals without offset for the IMU's samples.
 ///
 ///   r = W log(Z⁻¹ X(t + τ)),   dr/dτ = W J_r⁻¹(log(Z⁻¹ X)) ω     with ω the curve's velocity
 ///
-/// The residual belongs to the segment of uniform knots that t is in. Where t + τ leaves it, the segment's own
-/// polynomial goes on, which keeps r smooth and departs from the curve as (excess/interval)^(Order − 1) only; build the
-/// residuals again once τ is known to within an interval. An excess of more than one interval is refused: Evaluate
-/// returns false.
+/// The residual belongs to the segment of uniform knots that contains t. If t + τ leaves it, the segment's polynomial
+/// is extrapolated. This keeps r smooth and departs from the curve only as (excess/interval)^(Order − 1). Build the
+/// residuals again once τ is known to within an interval. If the excess is more than one interval, Evaluate returns
+/// false.
 template <LieGroupWithJacobians G, int Order>
 class CeresShiftedPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
   using Base = CeresResidual<G, Order, DofOf<G>>;
 
  public:
-  /// u in [0, 1] is where in the segment of `interval` seconds the stamp lies.
+  /// `u` in [0, 1] is the relative position of the stamp in its segment, which is `interval` seconds long.
   CeresShiftedPoseResidual(double u, double interval, const G& measured, const Jacobian<G>& square_root_information)
       : Base({1}), u_(u), interval_(interval), measured_(measured), weight_(square_root_information) {}
 

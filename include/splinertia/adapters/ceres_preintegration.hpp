@@ -15,9 +15,8 @@
 
 namespace splinertia {
 
-/// W with WᵀW = P⁻¹ for the covariance P of a preintegrated motion, lower triangular. Throws std::invalid_argument
-/// where P has no inverse: where a noise density is zero, or for a single step, whose position is known with its
-/// velocity.
+/// The lower triangular W with WᵀW = P⁻¹ for the covariance P of a preintegrated motion. Throws std::invalid_argument
+/// if P is singular: if a noise density is zero, or for a single step, whose position follows from its velocity.
 [[nodiscard]] inline Eigen::Matrix<double, 15, 15> square_root_information(const ImuCovariance<double>& covariance) {
   using Matrix15 = Eigen::Matrix<double, 15, 15>;
   const Matrix15 P = covariance.matrix();
@@ -27,7 +26,7 @@ namespace splinertia {
                                   " component ", i % 3, ' ', why,
                                   "; expected noise densities > 0 and at least two steps");
   };
-  // Units aside: P = D C D with ones on the diagonal of C = L Lᵀ.
+  // Scaled so that units do not matter: P = D C D with ones on the diagonal of C = L Lᵀ.
   Eigen::Matrix<double, 15, 1> d;
   for (Eigen::Index i = 0; i < 15; ++i) {
     if (!(P(i, i) > 0 && P(i, i) <= (std::numeric_limits<double>::max)())) singular(i, "has no variance");
@@ -38,7 +37,7 @@ namespace splinertia {
   Matrix15 L = Matrix15::Zero();
   for (Eigen::Index i = 0; i < 15; ++i) {
     for (Eigen::Index j = 0; j < i; ++j) L(i, j) = (C(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
-    // What is left of its variance when those before it are known.
+    // The variance that is left when the components before it are known.
     const double left = 1 - L.row(i).head(i).squaredNorm();
     if (!(left > rounding)) singular(i, "follows from those before it");
     L(i, i) = std::sqrt(left);
@@ -49,10 +48,10 @@ namespace splinertia {
 }
 
 /// r = W · preintegration_residual, with W = square_root_information of the covariance of the preintegrated motion.
-/// Gravity is given: the acceleration of free fall in the world, m/s².
+/// Gravity, the acceleration of free fall in the world in m/s², is fixed.
 ///
-/// Blocks, of the states i and j at the beginning and the end: R_i (4), v_i (3), p_i (3), biases_i (6: gyro, accel),
-/// R_j, v_j, p_j, biases_j. A rotation needs CeresManifold<Sophus::SO3d>, or to be held constant:
+/// Blocks: R_i (4), v_i (3), p_i (3), biases_i (6: gyro, accel) of the state at the beginning, then R_j, v_j, p_j,
+/// biases_j of that at the end. Give each rotation a CeresManifold<Sophus::SO3d>, or hold it constant:
 ///
 ///   problem.AddParameterBlock(state.R_WB.data(), 4, new CeresManifold<Sophus::SO3d>);
 ///   problem.AddResidualBlock(new CeresPreintegrationResidual(preintegrator.result(), gravity), nullptr,
@@ -81,7 +80,7 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
   }
 
  private:
-  static constexpr int blocks = 4;  // of a state
+  static constexpr int blocks = 4;  // per state
 
   struct State {
     NavState<double> state;
@@ -94,10 +93,10 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
     }
   };
 
-  // Blocks that are held constant have no place for one.
+  // Ceres passes a null pointer for each block that is held constant.
   static void write_jacobians(double** jacobians, const State& at, const Eigen::Matrix<double, 15, 9>& by_state,
                               const Eigen::Matrix<double, 15, 6>& by_bias) {
-    // Ceres multiplies this by the manifold's PlusJacobian, which leaves the derivative by the tangent.
+    // Ceres multiplies this by the manifold's PlusJacobian. The product is the derivative by the tangent.
     if (jacobians[0] != nullptr) {
       Eigen::Map<CeresMatrix<15, 4>>{jacobians[0]} =
           by_state.leftCols<3>() * ParameterLayout<Sophus::SO3d>::parameters_to_tangent(at.state.R_WB);

@@ -12,16 +12,16 @@
 
 namespace splinertia {
 
-/// What the residuals of a measurement of a curve have in common: M numbers that depend on the Order control points
-/// that shape the curve there, as in spline/parameter_blocks.hpp, and on blocks of other parameters after those:
+/// Base class for residuals of a measurement of a curve: M numbers that depend on the Order control points that shape
+/// the curve there, laid out as in spline/parameter_blocks.hpp, and on other parameter blocks after those:
 ///
 ///   SE3, order 4:      T_0 T_1 T_2 T_3, others                           7 numbers each
 ///   SO3xR3, order 4:   R_0 R_1 R_2 R_3 p_0 p_1 p_2 p_3, others           4 and 3 numbers each
 ///
-/// Each control point block needs the CeresManifold of its group, or to be held constant.
+/// Give each control point block the CeresManifold of its group, or hold it constant.
 ///
-/// Ceres wants derivatives by the numbers in a block, and multiplies them by the manifold's PlusJacobian. Those by
-/// tangents, J, are given as J · parameters_to_tangent, whose product with PlusJacobian is J again.
+/// Ceres expects derivatives by the numbers of a block and multiplies them by the manifold's PlusJacobian. A derivative
+/// J by a tangent is therefore passed as J · parameters_to_tangent, whose product with PlusJacobian is J.
 template <LieGroup G, int Order, int M>
   requires std::same_as<ScalarOf<G>, double>
 class CeresResidual : public ceres::CostFunction {
@@ -44,8 +44,8 @@ class CeresResidual : public ceres::CostFunction {
     sizes.insert(sizes.end(), others);
   }
 
-  /// Writes the Jacobian (M × Dof) with respect to a tangent of control point j = x, block by block. Blocks that are
-  /// held constant have no place for one.
+  /// Writes the Jacobian (M × Dof) with respect to a tangent at x, which is control point j, block by block. Blocks
+  /// that are held constant have a null pointer and are skipped.
   static void write_jacobian(double** jacobians, std::size_t j, const G& x,
                              const Eigen::Matrix<double, M, DofOf<G>>& J) {
     for_each_part<G>([&]<std::size_t Index>() {

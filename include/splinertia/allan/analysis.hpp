@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The whole analysis of a static signal: the curve, the noise terms, and what tells when not to believe them.
+/// The full analysis of a static signal: the curve, the noise terms, and checks that say whether to trust them.
 ///
 ///   const auto analysis = allan::analyse(gyro_x, 200.0);
 ///   if (analysis.adequacy() != allan::Adequacy::inadequate) use(analysis.noise.N.value);
@@ -22,27 +22,27 @@
 
 namespace splinertia::allan {
 
-/// How far a model describes a log.
+/// How well a model describes a log.
 enum class Adequacy {
-  adequate,   ///< all of it
-  partial,    ///< but for what is named: bands that were left out, steps, knocks; it holds without these
-  inadequate  ///< not: intervals do not hold
+  adequate,   ///< the whole log
+  partial,    ///< all but the reported bands, steps or knocks; results hold for the rest
+  inadequate  ///< it does not: intervals do not hold
 };
 
-/// A signal's curve and noise terms, and what is wrong with it.
+/// A signal's curve and noise terms, and what is wrong with the signal.
 template <typename Scalar>
 struct Analysis {
   Curve<Scalar> curve;  ///< overlapping Allan deviation
   NoiseEstimates<Scalar> noise;
-  std::vector<DeviationMisfit<Scalar>> misfits{};  ///< between the two
+  std::vector<DeviationMisfit<Scalar>> misfits{};  ///< where curve and noise terms disagree
   std::vector<Step> steps{};
   std::vector<SampleSpan> freezes{};
   Stillness stillness{};  ///< in blocks of a second
   Saturation saturation{};
-  std::optional<Scalar> resolution{};  ///< unit of the signal, if it shows
+  std::optional<Scalar> resolution{};  ///< unit of the signal; nothing if it does not show
   RoundingEffect rounding = RoundingEffect::none;
 
-  /// No octaves at the upper end of the spectrum were left out.
+  /// Whether the spectrum was used up to its upper end, rate/2.
   [[nodiscard]] bool used_to_the_end() const { return noise.highest_frequency >= curve.rate / 2; }
 
   [[nodiscard]] Adequacy adequacy() const {
@@ -54,8 +54,8 @@ struct Analysis {
     return Adequacy::partial;
   }
 
-  /// Disturbed blocks may have so much of all power that N is off by more than a hundredth; not those that a step
-  /// disturbs.
+  /// Whether disturbed blocks may have enough power to change N by more than 1 %. False if there are steps, which
+  /// disturb blocks themselves.
   [[nodiscard]] bool knocks_matter() const {
     if (!steps.empty()) return false;
     const auto blocks = static_cast<double>(stillness.blocks), disturbed = static_cast<double>(stillness.disturbed);
@@ -63,7 +63,7 @@ struct Analysis {
   }
 };
 
-/// Takes back that terms were detected: what shows of them has another cause, and no more than a limit is left.
+/// Marks terms as not detected, because their power has another cause. Only the upper limit remains.
 template <typename Scalar>
 void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
   for (const NoiseTerm term : noise_terms) {
@@ -75,8 +75,8 @@ void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
   }
 }
 
-/// Curve, identification and checks of a signal; `spectrum` is that of the signal. Of a log with steps or freezes no
-/// slow term is detected, because a step looks like a walk. Throws as identify() and curve() do.
+/// Curve, identification and checks of a signal. `signal` and `spectrum` are those of `samples`. In a log with steps or
+/// freezes no slow term is detected, because a step looks like a random walk. Throws as identify() and curve() do.
 template <Signal S, typename Scalar = ScalarOfSignal<S>>
 [[nodiscard]] Analysis<Scalar> analyse(const S& samples, const IntegratedSignal<Scalar>& signal,
                                        const DifferenceSpectrum<Scalar>& spectrum,
@@ -88,7 +88,7 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
     result.resolution = static_cast<Scalar>(*resolution);
     const Scalar deviation = result.noise.N.value * std::sqrt(signal.rate());
     result.rounding = rounding_effect(*resolution, static_cast<double>(deviation));
-    // A mean that crosses from one value to the next is no step.
+    // A mean that crosses from one rounded value to the next is no step.
     if (result.rounding == RoundingEffect::invalid) steps.least_height = *resolution;
   }
   steps.left_out = result.freezes = find_freezes(samples);
@@ -110,7 +110,7 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
   return result;
 }
 
-/// Of a rate signal at `rate` samples a second.
+/// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Signal S>
 [[nodiscard]] Analysis<ScalarOfSignal<S>> analyse(const S& samples, ScalarOfSignal<S> rate,
                                                   const IdentifyOptions<ScalarOfSignal<S>>& options = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A deviation over averaging time, with intervals:
+/// A deviation as a function of averaging time, with confidence intervals:
 ///
 ///   auto curve = allan::overlapping(signal, 200.0);
 ///   curve.points[3].tau, .deviation, .interval.lower, .interval.upper
@@ -25,12 +25,12 @@ namespace splinertia::allan {
 
 template <typename Scalar>
 struct CurvePoint {
-  std::int64_t factor;        ///< m, samples that are averaged
+  std::int64_t factor;        ///< m, samples per average
   Scalar tau;                 ///< averaging time m/rate, s
-  std::int64_t terms;         ///< differences that were averaged
+  std::int64_t terms;         ///< number of squared differences averaged
   Scalar deviation;           ///< unit of the signal; TDEV: times s
-  int alpha;                  ///< power law of the spectrum about this tau (noise_type)
-  Scalar degrees_of_freedom;  ///< of the deviation's square, as of chi-square
+  int alpha;                  ///< power law of the spectrum near this tau (noise_type)
+  Scalar degrees_of_freedom;  ///< equivalent chi-square degrees of freedom of deviation²
   Interval<Scalar> interval;  ///< of the true deviation
 };
 
@@ -48,13 +48,14 @@ template <typename Scalar>
 struct CurveOptions {
   AveragingFactors factors = AveragingFactors::logarithmic();
   Scalar confidence = one_sigma<Scalar>;
-  std::optional<int> alpha{};  ///< take all points as this power law, instead of identifying it
-  /// Degrees of freedom as published (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals compare with
-  /// others'; PhaseModel::sampled is exact for the samples of an IMU, and up to 17 % different below m = 30.
+  std::optional<int> alpha{};  ///< use this power law for all points instead of identifying it
+  /// The default has the published degrees of freedom (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals
+  /// are comparable with those of other tools. PhaseModel::sampled is exact for the samples of an IMU; it differs by up
+  /// to 17 % below m = 30.
   PhaseModel phase_model = PhaseModel::greenhall_riley;
 };
 
-/// The degrees of freedom of a deviation at factor m of n samples.
+/// The equivalent degrees of freedom of a deviation at averaging factor m in a log of n samples.
 template <Deviation D>
 [[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, PhaseModel model) {
   if constexpr (std::same_as<D, TotalDeviation>) {
@@ -65,12 +66,12 @@ template <Deviation D>
   }
 }
 
-/// The least alpha for which D converges. Steeper noise that was identified is taken as this one where degrees of
-/// freedom are concerned: it is a ramp or a walk more often than such noise, one walk in seven looks like it.
+/// The lowest alpha for which D converges. The degrees of freedom use it when a lower alpha was identified, which is
+/// more often a ramp or a random walk than such noise: one walk in seven looks like it.
 template <Deviation D>
 inline constexpr int steepest_power_law = 2 - 2 * D::differences;
 
-/// The curve of one kind of deviation (deviations.hpp) over a signal. Throws std::invalid_argument for a factor that is
+/// The curve of one kind of deviation (deviations.hpp) of a signal. Throws std::invalid_argument for a factor that is
 /// outside the data and a confidence not between 0 and 1.
 template <Deviation D, typename Scalar>
 [[nodiscard]] Curve<Scalar> curve(const IntegratedSignal<Scalar>& signal, const CurveOptions<Scalar>& options = {}) {
@@ -90,14 +91,14 @@ template <Deviation D, typename Scalar>
   return result;
 }
 
-/// Of a rate signal at `rate` samples a second; throws as IntegratedSignal does, too.
+/// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Deviation D, Signal S>
 [[nodiscard]] Curve<ScalarOfSignal<S>> curve(const S& signal, ScalarOfSignal<S> rate,
                                              const CurveOptions<ScalarOfSignal<S>>& options = {}) {
   return curve<D>(IntegratedSignal<ScalarOfSignal<S>>(signal, rate), options);
 }
 
-/// The overlapping Allan deviation, which is the one to look at.
+/// The curve of the overlapping Allan deviation, the recommended one.
 template <Signal S>
 [[nodiscard]] Curve<ScalarOfSignal<S>> overlapping(const S& signal, ScalarOfSignal<S> rate,
                                                    const CurveOptions<ScalarOfSignal<S>>& options = {}) {

@@ -11,7 +11,7 @@
 
 namespace splinertia::allan {
 
-/// The power law of the spectrum of the term that a model has most of at averaging time tau [s].
+/// The power law of the term with the largest Allan variance in a model at averaging time tau [s].
 template <typename Scalar>
 [[nodiscard]] int ruling_power_law(const Description<Scalar>& description, const Scalar& tau, const Scalar& duration) {
   int alpha = 0;
@@ -37,16 +37,16 @@ template <typename Scalar>
   return alpha;
 }
 
-/// Averaging times at which a measured deviation and a model's disagree.
+/// A range of averaging times at which the measured deviation disagrees with a model.
 template <typename Scalar>
 struct DeviationMisfit {
   Scalar shortest{}, longest{};  ///< averaging times, s
-  Scalar worst{};                ///< of these, the one with the least likely disagreement, s
-  Scalar ratio{};                ///< there, measured over model
+  Scalar worst{};                ///< averaging time of the most significant disagreement, s
+  Scalar ratio{};                ///< measured over model deviation at `worst`
 };
 
-/// What a description has at m samples more than at the averaging time alone, in squares: walk and Gauss–Markov bias
-/// are those of samples, each of which holds for a whole interval, K²τ/3·(1 + 1/(2m²)).
+/// The Allan variance [u²] that a description has at m samples in addition to its continuous-time value at tau. Random
+/// walk and Gauss–Markov bias are constant over a sampling interval, which gives K²τ/3·(1 + 1/(2m²)).
 template <typename Scalar>
 [[nodiscard]] Scalar sampled_variance(const Description<Scalar>& description, std::int64_t m, const Scalar& tau) {
   const Scalar walk = description.value(NoiseTerm::random_walk), bias = description.value(NoiseTerm::gauss_markov);
@@ -54,14 +54,14 @@ template <typename Scalar>
   return square * tau / (6 * static_cast<Scalar>(m) * static_cast<Scalar>(m));
 }
 
-/// How a point of a curve of the overlapping Allan deviation compares with the best description.
+/// Comparison of a point of an overlapping Allan deviation curve with the best description.
 template <typename Scalar>
 struct DeviationComparison {
   Scalar ratio{};  ///< measured over model
-  Scalar off{};    ///< standard normal if the model is true: then the square of the ratio is that of a mean of squares
+  Scalar off{};    ///< standard normal if the model is true, because ratio² is then a mean of squares
 };
 
-/// Of a point of the curve of the signal whose estimates these are.
+/// Compares a point of the curve of a signal with the noise estimates of the same signal.
 template <typename Scalar>
 [[nodiscard]] DeviationComparison<Scalar> compare_deviation(const CurvePoint<Scalar>& point, std::int64_t samples,
                                                             const NoiseEstimates<Scalar>& noise) {
@@ -76,9 +76,9 @@ template <typename Scalar>
   return {ratio, chi_square_deviation(ratio * ratio, freedom)};
 }
 
-/// Where the overlapping Allan deviation of a log is off that of the best description by more than chance explains, as
-/// four standard deviations of a normal number. Points with the same sign that are less than an octave apart are one
-/// misfit. The curve is of the signal whose estimates these are.
+/// Where the overlapping Allan deviation of a log differs from that of the best description by more than four standard
+/// deviations. Points with the same sign within an octave of each other are one misfit. The curve and the estimates are
+/// of the same signal.
 template <typename Scalar>
 [[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const Curve<Scalar>& curve,
                                                                      const NoiseEstimates<Scalar>& noise) {

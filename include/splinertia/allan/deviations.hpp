@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// The deviations of Riley, "Handbook of Frequency Stability Analysis", NIST Special Publication 1065 (2008), each a
-/// type that says how many terms it averages and what their mean square is divided by. Frequency is the rate signal
-/// here, phase its integral.
+/// The deviations of Riley, "Handbook of Frequency Stability Analysis", NIST Special Publication 1065 (2008). Each is a
+/// type with its number of terms and the divisor of its mean square. The handbook's frequency is the rate signal here,
+/// its phase the integral of the rate.
 #pragma once
 
 #include <cmath>
@@ -26,14 +26,15 @@ struct AllanDeviation {
   [[nodiscard]] static std::int64_t largest_factor(std::int64_t n) { return n / 2; }
 };
 
-/// Overlapping ADEV: the same at every sample. The estimator of choice: nothing that the log says of tau is left out.
+/// Overlapping ADEV: the differences of ADEV, one at every sample. The estimator of choice: it uses all that the log
+/// says about tau.
 struct OverlappingAllanDeviation : AllanDeviation {
   static constexpr std::string_view name = "oadev";
   static constexpr bool overlapping = true;
   [[nodiscard]] static std::int64_t terms(std::int64_t n, std::int64_t m) { return n + 1 - 2 * m; }
 };
 
-/// MDEV: the differences averaged over tau, too, which tells white from flicker noise of the integral (Q).
+/// MDEV: the differences are averaged over tau as well, which separates white from flicker noise of the integral (Q).
 struct ModifiedAllanDeviation : AllanDeviation {
   static constexpr std::string_view name = "mdev";
   static constexpr bool overlapping = true, modified = true;
@@ -41,12 +42,12 @@ struct ModifiedAllanDeviation : AllanDeviation {
   [[nodiscard]] static std::int64_t largest_factor(std::int64_t n) { return (n + 1) / 3; }
 };
 
-/// TDEV = tau/√3·MDEV: of the integral, in its unit.
+/// TDEV = tau/√3·MDEV: a deviation of the integral, in its unit.
 struct TimeDeviation : ModifiedAllanDeviation {
   static constexpr std::string_view name = "tdev";
 };
 
-/// HDEV: second differences of averages that share no samples, which a constant drift of the rate does not reach.
+/// HDEV: second differences of averages that share no samples, insensitive to a constant drift of the rate.
 struct HadamardDeviation {
   static constexpr std::string_view name = "hdev";
   static constexpr int differences = 3;
@@ -63,8 +64,9 @@ struct OverlappingHadamardDeviation : HadamardDeviation {
   [[nodiscard]] static std::int64_t terms(std::int64_t n, std::int64_t m) { return n + 1 - 3 * m; }
 };
 
-/// TOTDEV: ADEV of the sums continued beyond both ends by reflection, which steadies it at long tau. For flicker noise
-/// and random walk it is smaller by a share tau/duration of 0.24 and 0.375 (SP 1065); not corrected here.
+/// TOTDEV: ADEV of the running sums, extended at both ends by reflection, which reduces its scatter at long tau. For
+/// flicker noise and random walk it is too small by a share of 0.24·tau/duration and 0.375·tau/duration (SP 1065). This
+/// bias is not corrected here.
 struct TotalDeviation : OverlappingAllanDeviation {
   static constexpr std::string_view name = "totdev";
   [[nodiscard]] static std::int64_t terms(std::int64_t n, std::int64_t) { return n - 1; }
@@ -77,9 +79,9 @@ concept Deviation = requires(std::int64_t n, std::int64_t m) {
   { D::name } -> std::convertible_to<std::string_view>;
 };
 
-/// The deviation for each of `factors` (ascending, 1 to D::largest_factor): of the signal's unit, TDEV of its
-/// integral's. No memory but the result; time proportional to samples × factors. Throws std::invalid_argument for a
-/// factor that is outside the data.
+/// The deviation at each of `factors` (ascending, 1 to D::largest_factor), in the signal's unit; TDEV in that of the
+/// integral. Needs memory for the result only; time is proportional to samples × factors. Throws std::invalid_argument
+/// for a factor that is outside the data.
 template <Deviation D, typename Scalar>
 [[nodiscard]] std::vector<Scalar> deviations(const IntegratedSignal<Scalar>& signal,
                                              const std::vector<std::int64_t>& factors) {

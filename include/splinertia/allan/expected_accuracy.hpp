@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a static log can tell of white noise N and random walk K, before it is recorded.
+/// How accurately a static log will determine white noise N and random walk K, before it is recorded.
 #pragma once
 
 #include <algorithm>
@@ -14,26 +14,27 @@
 
 namespace splinertia::allan {
 
-/// Standard errors over true values. From 1/2 on, the coefficient can hardly be told from zero.
+/// Relative standard errors. From 1/2 on, the coefficient can hardly be told from zero.
 template <typename Scalar>
 struct ExpectedAccuracy {
   Scalar N;
   Scalar K;
 };
 
-/// The least standard errors that any unbiased estimator can have (Cramér and Rao), which identify() has too; straight
-/// lines through an Allan plot do worse.
+/// The Cramér–Rao bound, the smallest standard errors of any unbiased estimator. identify() attains it; straight lines
+/// through an Allan plot do worse.
 ///
-/// The differences of n samples of both noises are exactly independent on sines (DifferenceSpectrum), with powers
-/// λ_k = K²/rate + 4 N²·rate·sin²(πk/2n), k = 1 … n − 1. Of ln N and ln K, with w_k the share of N in λ_k, these have
-/// the Fisher information 2 Σ (w_k², w_k (1 − w_k); …, (1 − w_k)²). The sum is taken term by term up to k = 128 and as
-/// an integral above: within 4e-6 of the exact one for any K/N, in 6 µs for hours at 200 Hz.
+/// The sine transform of the differences of n samples of both noises has exactly independent coefficients
+/// (DifferenceSpectrum) with powers λ_k = K²/rate + 4 N²·rate·sin²(πk/2n), k = 1 … n − 1. With w_k the share of N in
+/// λ_k, the Fisher information of ln N and ln K is 2 Σ (w_k², w_k (1 − w_k); …, (1 − w_k)²). The sum is taken term by
+/// term up to k = 128 and as an integral above. It is within 4e-6 of the exact one for any K/N and takes 6 µs for hours
+/// at 200 Hz.
 ///
-/// Where a log has x = K·duration/N >= 5 and N·rate/K >= 50, it is 1/√(2n) for N and √(2/(x − 2)) for K within 1 %. The
-/// well-known √(2/x) is what this tends to, 23 % too low at x = 5 and 5 % at 22.
+/// For x = K·duration/N >= 5 and N·rate/K >= 50 the errors are 1/√(2n) for N and √(2/(x − 2)) for K, within 1 %. The
+/// well-known √(2/x) is the limit for large x. It is 23 % too low at x = 5 and 5 % at x = 22.
 ///
-/// rate in Hz, duration in s with 3 to 2⁶² samples in it, N in u/√Hz, K in u/s/√Hz, all > 0; else throws
-/// std::invalid_argument. Infinite where it is too large for the scalar; float is computed in double.
+/// Requires rate [Hz], duration [s], N [u/√Hz] and K [u/s/√Hz] > 0, and 3 to 2⁶² samples; otherwise throws
+/// std::invalid_argument. A result too large for the scalar is infinite. float is computed in double.
 template <std::floating_point Scalar>
 [[nodiscard]] ExpectedAccuracy<Scalar> expected_accuracy(Scalar rate, std::type_identity_t<Scalar> duration,
                                                          std::type_identity_t<Scalar> N,
@@ -46,8 +47,8 @@ template <std::floating_point Scalar>
   require_positive(name, "K", K);
   const Wide n = std::round(Wide(duration) * Wide(rate));
   require(n >= Wide(3) && n <= Wide(std::int64_t{1} << 62), name, "duration", duration, "3 to 2^62 samples");
-  // Of λ ~ sin² + corner². The shares are in units of 1/(1 + corner²) and corner²/(1 + corner²), so that neither
-  // vanishes however large or small the corner is.
+  // λ ~ sin² + corner². The shares are scaled by 1/(1 + corner²) and corner²/(1 + corner²), so that neither vanishes
+  // for any corner.
   constexpr Wide smallest = (std::numeric_limits<Wide>::min)(), largest = (std::numeric_limits<Wide>::max)();
   const Wide corner = std::clamp(Wide(K) / Wide(N) / Wide(rate) / 2, smallest, largest);
   const Wide larger = (std::max)(corner, Wide(1)), white_scale = 1 / (larger * larger),
@@ -63,7 +64,7 @@ template <std::floating_point Scalar>
   };
   const Wide alone = (std::min)(n - 1, Wide(128));
   for (Wide k = 1; k <= alone; ++k) add(k, Wide(1));
-  // Gauss's rule of two points, on intervals that grow in proportion to k as what is integrated varies in proportion.
+  // Two-point Gauss quadrature on intervals that grow in proportion to k, as the scale of the integrand does.
   const Wide last = n - Wide(1) / 2, gauss = 1 / std::sqrt(Wide(3));
   for (Wide from = alone + Wide(1) / 2; from < last;) {
     const Wide to = (std::min)(last, from + from / 16), half = (to - from) / 2, middle = from + half;
@@ -75,9 +76,9 @@ template <std::floating_point Scalar>
           static_cast<Scalar>(scale / walk_scale / std::sqrt(2 * (walk - both * (both / white))))};
 }
 
-/// How long to record [s] for K to be known with this relative standard error, > 0; the rest as above. At usual rates
-/// it is (2 + 2/error²)·N/K: 2 hours for 30 % and 17 hours for 10 % of a gyroscope with N/K = 300 s. One log may be so
-/// long, or several together (identify_pooled). Infinite if 2⁶¹ samples do not suffice.
+/// The duration [s] for which K has this relative standard error, > 0; other parameters as above. At usual rates it is
+/// (2 + 2/error²)·N/K: 2 hours for 30 % and 17 hours for 10 % of a gyroscope with N/K = 300 s. It may be the duration
+/// of one log or the total of several (identify_pooled). Infinite if 3·2⁵⁹ samples do not suffice.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar duration_for_random_walk(Scalar rate, std::type_identity_t<Scalar> N,
                                               std::type_identity_t<Scalar> K,

@@ -19,12 +19,12 @@
 
 namespace splinertia::allan {
 
-/// Weighted least squares of an Allan variance curve: σ²(τ) = 3Q²/τ² + N²/τ + (2 ln 2/π)B² + K²τ/3 + R²τ²/2, IEEE Std
-/// 952-1997, C.1, all coefficients ≥ 0.
+/// Weighted least-squares fit of σ²(τ) = 3Q²/τ² + N²/τ + (2 ln 2/π)B² + K²τ/3 + R²τ²/2 (IEEE Std 952-1997, C.1) to an
+/// Allan variance curve, with all coefficients ≥ 0.
 ///
-/// A point weighs edf/(2σ⁴), σ of the model and not of the point: weights from the data favour what is low by chance,
-/// which takes a quarter off K. Neighbouring points say partly the same; how much is found from the model's spectrum
-/// and counted in the standard errors, not in the weights.
+/// The weight of a point is edf/(2σ⁴) with σ of the model, not of the point: weights from the data favour points that
+/// are low by chance, which reduces K by a quarter. Neighbouring points are correlated. The correlations follow from
+/// the model's spectrum and enter the standard errors, not the weights.
 template <typename Scalar>
 class CurveFit {
  public:
@@ -72,7 +72,7 @@ class CurveFit {
   [[nodiscard]] Result fit(NoiseTerms terms) const {
     constexpr int most_steps = 100;
     Result result;
-    // The first weights are those of a model that goes through the data.
+    // The first weights are those of a model that passes through the data.
     Column model = (variance_.max)(variance_.maxCoeff() * std::numeric_limits<Scalar>::epsilon());
     Vector before = Vector::Zero();
     for (int i = 0; i < most_steps; ++i) {
@@ -86,8 +86,8 @@ class CurveFit {
     return result;
   }
 
-  /// How many standard errors a term of a model is above zero, of those it would have if it were zero: with weights and
-  /// correlations of the model without it. Those that it has as it is grow with it, and would hide it.
+  /// A term's estimate over its standard error if it were zero, with weights and correlations of the model without it.
+  /// The standard error of the full model grows with the term and would hide it.
   [[nodiscard]] Scalar significance(NoiseTerms terms, NoiseTerm term) const {
     const auto j = static_cast<Eigen::Index>(term);
     const Vector without = fit(terms.without(term)).theta;
@@ -119,7 +119,8 @@ class CurveFit {
     return non_negative_solution<Scalar, size>(information, product, candidates);
   }
 
-  /// Of weighted least squares with correlated errors: (XᵀWX)⁻¹ XᵀW C WX (XᵀWX)⁻¹ over the terms of the model.
+  /// Standard errors of weighted least squares with correlated errors, from (XᵀWX)⁻¹ XᵀW C WX (XᵀWX)⁻¹ over the terms
+  /// of the model.
   [[nodiscard]] Vector standard_errors(NoiseTerms terms, const Vector& theta, const Column& model) const {
     const Column weights = freedom_ / (2 * model.square());
     const Square root_covariance = weights.sqrt().inverse().matrix().asDiagonal();
@@ -143,9 +144,9 @@ class CurveFit {
     return scale.cwiseProduct((inverse * scatter * inverse).diagonal().cwiseMax(Scalar(0)).cwiseSqrt());
   }
 
-  /// Of the points' variances: ∫ S² H_i H_j df with S the model's spectrum and H = sin⁴(πfτ)/(πfτ)² what a deviation
-  /// sees of it, normalised (SP 1065 for S; Percival and Walden, "Wavelet Methods for Time Series Analysis" (2000), for
-  /// the integral).
+  /// Correlations of the points' variances: ∫ S² H_i H_j df, normalised. S is the model's spectrum (SP 1065) and
+  /// H = sin⁴(πfτ)/(πfτ)² the squared frequency response of the Allan deviation (integral: Percival and Walden,
+  /// "Wavelet Methods for Time Series Analysis" (2000)).
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
     const Scalar pi = std::numbers::pi_v<Scalar>;
@@ -155,7 +156,7 @@ class CurveFit {
     for (int k = 0; k < count; ++k) {
       const Scalar f = highest * std::exp2(-static_cast<Scalar>(k) / per_octave);
       const Scalar w = 2 * pi * f;
-      // A ramp has no spectrum; what is left of it is a walk of the same variance at the longest tau.
+      // A ramp has no spectrum. It is replaced by a random walk with the same variance at the longest tau.
       const Scalar spectrum =
           theta[0] + (theta[1] + theta[4] * longest_ * 3 / 2) / (w * w) + theta[2] / w + theta[3] * w * w;
       for (Eigen::Index i = 0; i < basis_.rows(); ++i) {
@@ -176,12 +177,13 @@ class CurveFit {
   Column tau_, variance_, freedom_;
 };
 
-/// N, K, B, Q and R of a curve alone, where there is no signal for identify(): one that was read from a paper, or came
-/// from a stream. `candidates` are tried together; those not significant at 1 % are taken out one by one. The intervals
-/// are those of squares with as many degrees of freedom as the standard error says. In simulated logs of 2 hours
-/// (docs/performance.md) N scatters 1.4 times and K 1.1 to 1.3 times as much as by identify(), and 95 % intervals of K
-/// hold in 87 to 92 %. Throws std::invalid_argument for another curve than of adev or oadev, fewer than two points,
-/// what is not finite or > 0 in them, and as identify() does.
+/// N, K, B, Q and R from a curve alone, when there is no signal for identify(): a curve from a paper or from a stream.
+/// All `candidates` but G and W are fitted together; terms that are not significant at 1 % are removed one by one.
+/// Intervals of detected terms are those of a chi-square distribution with the degrees of freedom that the standard
+/// error implies. In simulated logs of 2 hours (docs/performance.md) N scatters 1.4 times and K 1.1 to 1.3 times as
+/// much as with identify(), and 95 % intervals of K hold in 87 to 92 %. Throws std::invalid_argument for a curve other
+/// than adev or oadev, fewer than two points, values in it that are not finite or out of range, no deviation above
+/// zero, no candidates, and a confidence not between 0 and 1.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {
@@ -191,7 +193,7 @@ template <typename Scalar>
   const CurveFit<Scalar> fit(curve);
   const Scalar detection = std::sqrt(chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
   NoiseTerms model = candidates;
-  // In this order, so that of terms that explain the same it is the walk that stays, which estimators model.
+  // In this order, so that of terms that explain the same power the random walk stays, which estimators model.
   for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::quantization, NoiseTerm::bias_instability,
                                NoiseTerm::random_walk, NoiseTerm::white}) {
     if (!model.has(term) || model == NoiseTerms{term} || fit.significance(model, term) >= detection) continue;

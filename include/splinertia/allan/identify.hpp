@@ -29,12 +29,13 @@ struct IdentifyOptions {
   NoiseTerms candidates = NoiseTerms::all();
   /// Frequencies above this one [Hz] are not used. Zero: all up to rate/2.
   Scalar highest_frequency = 0;
-  std::vector<Interval<Scalar>> excluded{};  ///< bands of frequencies [Hz] that are not used either
-  /// Leave out, too, where the power is not that of noise terms: lines, resonances, what is above a low-pass filter.
+  std::vector<Interval<Scalar>> excluded{};  ///< frequency bands [Hz] that are not used
+  /// Also leave out bands where the power is not that of noise terms: lines, resonances, the range above a low-pass
+  /// filter.
   bool exclude_misfits = true;
 };
 
-/// Identification of a model by its likelihood; what identify() below does step by step.
+/// The steps of identify() below: identification of a model by maximum likelihood.
 template <typename Scalar>
 class Identification {
  public:
@@ -57,12 +58,12 @@ class Identification {
       bands_.leave_out(worst_);
     }
     if (enough()) return;
-    // Nothing in it is like these terms: what is said is about all of it, and that it does not fit.
+    // No part of the spectrum is like these terms: report all of it, and that it does not fit.
     bands_.reset();
     select();
   }
 
-  // Its parts refer to one another.
+  // Its members refer to one another.
   Identification(const Identification&) = delete;
   Identification& operator=(const Identification&) = delete;
 
@@ -121,12 +122,12 @@ class Identification {
     }
   }
 
-  /// Enough of a spectrum is left to say something.
+  /// Whether enough bins are left for an identification.
   static constexpr std::size_t fewest = 64;
   [[nodiscard]] bool enough() const { return bands_.count() >= (std::min)(fewest, spectrum_.bins().size()); }
 
-  /// Quantization noise is what rises towards the upper end of the spectrum: not to be told from anything else that
-  /// does if that end is left out.
+  /// Without the upper end of the spectrum, quantization noise cannot be told from other noise that rises with
+  /// frequency. It is then a candidate only if white noise, walk and flicker are not.
   [[nodiscard]] NoiseTerms candidates() const {
     using enum NoiseTerm;
     const NoiseTerms terms = options_.candidates;
@@ -148,12 +149,12 @@ class Identification {
     probability_ = FitBands<Scalar>::probability(octaves_, parameters, BandSelection<Scalar>::tolerance);
   }
 
-  /// Chance deviates as much in one log of a thousand.
+  /// False for deviations that chance causes in at most one log of a thousand.
   [[nodiscard]] bool fits() const {
     return probability_ > Scalar(1) / 1000 && std::abs(worst_.off) < BandSelection<Scalar>::most_off;
   }
 
-  /// The ratio of the likelihoods with coefficients for each axis and with common ones is chi-square (Wilks).
+  /// p-value of common coefficients against separate ones for each axis: the likelihood ratio is chi-square (Wilks).
   [[nodiscard]] Scalar agreement_probability() const {
     if (spectra_.size() == 1) return Scalar(1);
     const Model& best = selection_->best();
@@ -162,7 +163,7 @@ class Identification {
       const PooledSpectrum<Scalar> own(std::span(&spectrum, 1));
       const Fit fit(own, bands_.included());
       apart += ModelLikelihood<Scalar>(fit).maximise(best.terms).objective;
-      // Each in its own unit.
+      // Converts from the unit of the axis to the common one.
       Scalar count = 0;
       for (std::size_t i = 0; i < own.bins().size(); ++i)
         count += bands_.included()[i] ? own.bins()[i].count : Scalar(0);
@@ -184,32 +185,32 @@ class Identification {
   BandSelection<Scalar> bands_;
   std::optional<Fit> fit_;
   std::optional<Selection> selection_;
-  std::optional<Model> described_;  ///< what is reported: the first of the descriptions
+  std::optional<Model> described_;  ///< the reported model: the first of the descriptions
   typename FitBands<Scalar>::Window worst_{};
   std::vector<typename FitBands<Scalar>::Octave> octaves_;
   Scalar probability_{};
 };
 
-/// The noise of a static log: N, K, B, Q, R, a Gauss–Markov bias and a warm-up with intervals, or upper limits of what
-/// is not in it. By maximum likelihood of the signal's differences, exact for white noise and random walk; the
-/// intervals are those of the profile likelihood, over all descriptions of the log that are equally good. Throws
-/// std::invalid_argument as IntegratedSignal and for options out of their range.
+/// Estimates the noise of a static log: N, K, B, Q, R, a Gauss–Markov bias and a warm-up with intervals, or upper
+/// limits of terms that are not detected. Maximises the likelihood of the signal's differences, which is exact for
+/// white noise and random walk. The intervals are profile-likelihood intervals over all equally good descriptions of
+/// the log. Throws std::invalid_argument for options out of their range.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {
   return Identification<Scalar>({DifferenceSpectrum<Scalar>(signal)}, options).estimates();
 }
 
-/// Of a rate signal at `rate` samples a second.
+/// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Signal S>
 [[nodiscard]] NoiseEstimates<ScalarOfSignal<S>> identify(const S& signal, ScalarOfSignal<S> rate,
                                                          const IdentifyOptions<ScalarOfSignal<S>>& options = {}) {
   return identify(IntegratedSignal<ScalarOfSignal<S>>(signal, rate), options);
 }
 
-/// One estimate for all axes of a sensor, if they are alike: their spectra together. Each axis has a ramp of its own; R
-/// is the root mean square of them. The spectra are of signals with the same rate and number of samples, else
-/// std::invalid_argument is thrown.
+/// One estimate for all axes of a sensor that have the same noise, from their pooled spectra. Each axis has its own
+/// ramp or warm-up; R and W are root mean squares over the axes. Throws std::invalid_argument for no axes, axes that
+/// differ in rate or number of samples, and options out of their range.
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<DifferenceSpectrum<Scalar>>& axes,
                                                      const IdentifyOptions<Scalar>& options = {}) {

@@ -21,8 +21,7 @@
 
 namespace splinertia::allan {
 
-/// Equally spaced numbers that can be read twice: a std::vector, a std::span, an Eigen vector, a view of one axis of a
-/// log.
+/// A forward range of equally spaced samples: a std::vector, a std::span, an Eigen vector, a view of one axis of a log.
 template <typename S>
 concept Signal = requires(const S& signal) {
   { std::begin(signal) } -> std::forward_iterator;
@@ -30,28 +29,27 @@ concept Signal = requires(const S& signal) {
   { std::begin(signal) != std::end(signal) } -> std::convertible_to<bool>;
 };
 
-/// What a signal of this type is analysed in: double, or long double for long double.
+/// The scalar type of the analysis of a signal: long double for long double samples, otherwise double.
 template <Signal S>
 using ScalarOfSignal =
     std::conditional_t<std::same_as<std::iter_value_t<decltype(std::begin(std::declval<const S&>()))>, long double>,
                        long double, double>;
 
-/// The running sums of a signal y_0 … y_{n−1} about its mean, of which all deviations are differences:
+/// The running sums of a signal y_0 … y_{n−1} about its mean. All deviations are differences of these sums.
 /// x_0 = 0, x_{i+1} = x_i + (y_i − mean); an average over m samples is (x_{i+m} − x_i)/m + mean.
 ///
-/// Without the mean removed, x grows with the samples and its rounding errors with it: 10⁸ samples of a specific force
-/// of 9.81 m/s² lose up to 4 % of the deviation at long averaging times. The sums are compensated, so that each x_i is
-/// the exact sum of what the scalar makes of y_j − mean to within eps·|x_i|.
+/// The mean is removed because x, and with it the rounding errors of x, would otherwise grow with the number of
+/// samples: 10⁸ samples of a specific force of 9.81 m/s² would lose up to 4 % of the deviation at long averaging times.
+/// The sums are compensated: each x_i is the exact sum of the rounded y_j − mean to within eps·|x_i|.
 ///
 /// Memory: n + 1 scalars. Throws std::invalid_argument for a rate that is not finite and > 0, one at which 64·n/rate is
-/// infinite, fewer than 3 samples, a sample that is not finite, and a signal that is constant: it has no noise to speak
-/// of, or a sensor that is stuck.
+/// infinite, fewer than 3 samples, a sample that is not finite, and a constant signal (a stuck sensor, or no noise).
 template <std::floating_point Scalar_ = double>
 class IntegratedSignal {
  public:
   using Scalar = Scalar_;
 
-  /// Of a rate signal: angular velocity [rad/s], specific force [m/s²]; rate in Hz.
+  /// From a rate signal: angular velocity [rad/s] or specific force [m/s²]; rate in Hz.
   template <Signal S>
   IntegratedSignal(const S& signal, Scalar rate) : rate_(rate) {
     const auto n = static_cast<Scalar>(read(signal, 3, 1));
@@ -66,7 +64,7 @@ class IntegratedSignal {
     mean_ = (mean + x.value() / n) * unit_;
   }
 
-  /// Of the integral of one, as clocks are measured ("phase", s) and integrating gyroscopes measure (angle, rad):
+  /// From the integral of a rate signal, as measured by clocks ("phase", s) and integrating gyroscopes (angle, rad):
   /// n + 1 values for n samples of the rate.
   template <Signal S>
   [[nodiscard]] static IntegratedSignal from_integral(const S& integral, Scalar rate) {
@@ -87,21 +85,21 @@ class IntegratedSignal {
     return result;
   }
 
-  /// n, of the rate signal.
+  /// n, the number of samples of the rate signal.
   [[nodiscard]] std::int64_t samples() const { return static_cast<std::int64_t>(sums_.size()) - 1; }
   [[nodiscard]] Scalar rate() const { return rate_; }  ///< Hz
   [[nodiscard]] Scalar mean() const { return mean_; }  ///< of the rate signal, in its unit
   [[nodiscard]] Scalar duration() const { return static_cast<Scalar>(samples()) / rate_; }  ///< n/rate, s
-  /// x_0 … x_n in units of unit() (and times the sampling interval they are the integral).
+  /// x_0 … x_n in units of unit(). Times the sampling interval, they are the integral.
   [[nodiscard]] const std::vector<Scalar>& sums() const { return sums_; }
-  /// What the sums are counted in, in the unit of the rate signal: near the largest |y_i|, so that squares of sums are
-  /// representable whatever the signal's unit is.
+  /// The unit of the sums, in the unit of the rate signal: near the largest |y_i|, so that squares of sums are
+  /// representable whatever the signal's unit is. From an integral: near rate times the largest of its values.
   [[nodiscard]] Scalar unit() const { return unit_; }
 
  private:
   explicit IntegratedSignal(Scalar rate) : rate_(rate) {}
 
-  /// Puts the values into sums_ behind so many zeros, checks them, finds the unit and returns how many there are.
+  /// Stores the values in sums_ after this many zeros, checks them, sets the unit and returns their number.
   template <Signal S>
   std::size_t read(const S& values, std::ptrdiff_t fewest, std::size_t zeros) {
     require_positive("Allan analysis", "rate", rate_);
@@ -130,7 +128,7 @@ class IntegratedSignal {
     return n;
   }
 
-  /// Σ y in units of unit(), to a few eps: a compensated sum of plain ones, of pieces that are short.
+  /// Σ y in units of unit(), accurate to a few eps: a compensated sum of plain sums over short pieces.
   [[nodiscard]] Scalar scaled_sum() const {
     constexpr std::size_t piece = 256;
     CompensatedSum<Scalar> sum;
@@ -141,7 +139,8 @@ class IntegratedSignal {
     return sum.value();
   }
 
-  /// All values combined, from zero; sixteen side by side, which compilers make vectors of.
+  /// Folds all values with `combine`, starting from zero. Sixteen results are computed side by side, which compilers
+  /// vectorise.
   template <typename Value, typename Combine>
   [[nodiscard]] static Scalar reduce(std::size_t count, const Value& value, const Combine& combine) {
     constexpr std::size_t lanes = 16;

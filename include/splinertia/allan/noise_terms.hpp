@@ -11,19 +11,19 @@
 
 namespace splinertia::allan {
 
-/// The noise terms of IEEE Std 952-1997, annex C, and two that real biases have beside them, in units of a signal u;
-/// the terms of imu/ that simulate them.
+/// The five noise terms of IEEE Std 952-1997, annex C, and two more that real biases show. u is the unit of the signal.
+/// In brackets: the error term of errors/ that simulates it.
 enum class NoiseTerm : std::size_t {
   white,             ///< N, angle or velocity random walk, u/√Hz (WhiteNoise)
   random_walk,       ///< K, rate random walk, u/s/√Hz (RandomWalk)
   bias_instability,  ///< B, flicker noise, u; a data sheet's in-run stability is 0.664·B (BiasInstability)
   quantization,      ///< Q, white noise of the integral, u·s (QuantizationNoise)
   rate_ramp,         ///< R, drift, u/s (RateRamp)
-  gauss_markov,      ///< G, standard deviation of a bias that forgets with a correlation time, u
-  warm_up            ///< W, height of a drift A·exp(−t/T) that settles, u
+  gauss_markov,      ///< G, standard deviation of a bias with a finite correlation time, u
+  warm_up            ///< W, height A of a drift A·exp(−t/T) that settles, u
 };
 
-/// The five of IEEE Std 952, each of which has one coefficient.
+/// The five terms of IEEE Std 952. Each has a single coefficient.
 inline constexpr std::array<NoiseTerm, 5> standard_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                          NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                          NoiseTerm::rate_ramp};
@@ -32,7 +32,7 @@ inline constexpr std::array<NoiseTerm, 7> noise_terms{
     NoiseTerm::white,     NoiseTerm::random_walk,  NoiseTerm::bias_instability, NoiseTerm::quantization,
     NoiseTerm::rate_ramp, NoiseTerm::gauss_markov, NoiseTerm::warm_up};
 
-/// N, K, B, Q, R, G, W.
+/// The symbol of a term: N, K, B, Q, R, G or W.
 [[nodiscard]] constexpr std::string_view symbol(NoiseTerm term) {
   return std::array<std::string_view, 7>{"N", "K", "B", "Q", "R", "G", "W"}[static_cast<std::size_t>(term)];
 }
@@ -42,7 +42,7 @@ inline constexpr std::array<NoiseTerm, 7> noise_terms{
                                          "rate ramp",   "Gauss-Markov bias", "warm-up"}[static_cast<std::size_t>(term)];
 }
 
-/// Which of the terms a model has.
+/// A set of noise terms, such as those of a model.
 class NoiseTerms {
  public:
   constexpr NoiseTerms() = default;
@@ -51,7 +51,7 @@ class NoiseTerms {
   }
   static constexpr unsigned sets = 128;
   [[nodiscard]] static constexpr NoiseTerms all() { return numbered(sets - 1); }
-  /// One of 0 … sets − 1, each another set.
+  /// The set with this number. The numbers 0 … sets − 1 stand for all different sets.
   [[nodiscard]] static constexpr NoiseTerms numbered(unsigned bits) {
     NoiseTerms result;
     result.bits_ = bits;
@@ -70,8 +70,9 @@ class NoiseTerms {
   unsigned bits_ = 0;
 };
 
-/// What a standard term of coefficient 1 has at averaging time tau [s], in u²: 1/tau, tau/3, 2 ln 2/π, 3/tau², tau²/2.
-/// IEEE Std 952-1997, C.1. Zero for the others, which have no coefficient alone.
+/// Allan variance [u²] of a standard term with coefficient 1 at averaging time tau [s]: 1/tau, tau/3, 2 ln 2/π, 3/tau²,
+/// tau²/2, in the order of standard_terms. Source: IEEE Std 952-1997, C.1. Zero for Gauss–Markov and warm-up, which
+/// also need a time.
 template <typename Scalar>
 [[nodiscard]] Scalar allan_variance(NoiseTerm term, const Scalar& tau) {
   switch (term) {
@@ -94,9 +95,10 @@ template <typename Scalar>
   return Scalar(0);
 }
 
-/// What a Gauss-Markov bias of standard deviation 1 u and this correlation time [s] has at averaging time tau [s], in
-/// u²: 2/x·(1 − (3 − 4e^(−x) + e^(−2x))/(2x)) with x = tau/correlation_time. IEEE Std 952-1997, C.1.5 (there with the
-/// density of what drives it). Below x = 1/100 by its series 2x/3·(1 − 3x/4), which is within 4e-5 there.
+/// Allan variance [u²] of a Gauss–Markov bias with standard deviation 1 u and this correlation time [s], at averaging
+/// time tau [s]: 2/x·(1 − (3 − 4e^(−x) + e^(−2x))/(2x)) with x = tau/correlation_time. Source: IEEE Std 952-1997,
+/// C.1.5, which uses the density of the driving noise instead. Below x = 1/100 the series 2x/3·(1 − 3x/4) is used, with
+/// a relative error below 4e-5.
 template <typename Scalar>
 [[nodiscard]] Scalar gauss_markov_allan_variance(const Scalar& tau, const Scalar& correlation_time) {
   const Scalar x = tau / correlation_time;
@@ -106,9 +108,9 @@ template <typename Scalar>
   return 2 / x * (1 - (2 * lost + lost * lost) / (2 * x));
 }
 
-/// What a drift exp(−t/decay_time), t = 0 … duration, has at averaging time tau [s], averaged over all places of the
-/// log where two averages fit: half the square of (1 − e^(−x))²/x, x = tau/decay_time, times the mean of
-/// e^(−2t/decay_time) over them.
+/// Allan variance [u²] of a drift exp(−t/decay_time) u, t = 0 … duration, at averaging time tau [s], averaged over all
+/// positions in the log where two averages fit: half the square of (1 − e^(−x))²/x, x = tau/decay_time, times the mean
+/// of e^(−2t/decay_time) over these positions.
 template <typename Scalar>
 [[nodiscard]] Scalar warm_up_allan_variance(const Scalar& tau, const Scalar& decay_time, const Scalar& duration) {
   const Scalar x = tau / decay_time, lost = -std::expm1(-x);

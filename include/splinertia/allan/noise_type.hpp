@@ -11,36 +11,36 @@
 
 namespace splinertia::allan {
 
-/// What noise_type() reads: at least so many averages, and no more than the first so many.
+/// noise_type() needs at least fewest_averages averages and reads only the first most_averages.
 inline constexpr std::int64_t fewest_averages = 30, most_averages = std::int64_t{1} << 16;
 
-/// The power law of n averages, differenced d = 0, 1 or 2 times, whose sums of squares and of products with the next,
-/// both about their mean, are lag0 and lag1; nothing if they have to be differenced once more.
+/// The exponent alpha of n averages that were differenced d = 0, 1 or 2 times; nothing if they must be differenced once
+/// more. With w_i the values less their mean: lag0 = Σ w_i², lag1 = Σ w_i·w_{i+1}.
 template <typename Scalar>
 [[nodiscard]] std::optional<int> power_law(Scalar lag0, Scalar lag1, Scalar n, int d) {
   constexpr int most_differences = 2, steepest = -4;
-  if (!(lag0 > 0)) return -2 * d;  // averages that do not differ have no slope
-  // The share (n − 1)/n is what Stable32 has: with it the alphas of its published tables come out alike.
-  // No stationary noise has less than −1/2 after differencing what has to be; a beat of period 2 does.
+  if (!(lag0 > 0)) return -2 * d;  // equal averages have no slope
+  // Stable32 has the factor (n − 1)/n; with it alpha agrees with its published tables.
+  // Noise that is stationary after d differences has r1 >= −1/2. A beat of period 2 can be lower.
   const Scalar r1 = (std::max)(lag1 / lag0 * (n - 1) / n, Scalar(-1) / 2);
   const Scalar delta = r1 / (1 + r1);
   if (delta >= Scalar(1) / 4 && d < most_differences) return std::nullopt;
-  return (std::max)(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift is steeper still
+  return (std::max)(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift would be steeper
 }
 
-/// Which power law f^alpha the spectrum of the averages over m samples looks like, from their autocorrelation at lag 1
-/// (Riley and Greenhall, "Power law noise identification using the lag 1 autocorrelation", EFTF 2004). For an IMU:
+/// The power law f^alpha of the spectrum of averages over m samples, from their autocorrelation at lag 1 (Riley and
+/// Greenhall, "Power law noise identification using the lag 1 autocorrelation", EFTF 2004). For an IMU:
 ///
 ///   alpha   2 or 1             0            −1                     −2            −3, −4
 ///           quantization (Q)   white (N)    bias instability (B)   walk (K)      ramp (R), drift
 ///
-/// At least 30 averages are needed. For longer m the type is that of the longest m with 30 averages, and white if that
-/// says 1 or 2: of 30 averages of white noise every seventh set does by chance, and intervals that believe it are
-/// several times too narrow. Logs of fewer than 30 samples are taken as white noise. Stable32 goes on with Barnes'
-/// ratio B1 of the variance to Allan's instead, whose intervals hold less often than they say: those of 95 % in 78 % of
-/// logs of white noise at a third of the log, here in 98 % (docs/performance.md).
+/// At least 30 averages are needed. A longer m gets the type of the longest m with 30 averages, or white if that type
+/// is 1 or 2: by chance every seventh set of 30 averages of white noise looks like 1 or 2, and intervals based on that
+/// type are several times too narrow. Logs of fewer than 30 samples count as white noise. Stable32 uses Barnes' ratio
+/// B1 (of the variance to the Allan variance) for longer m instead. Its 95 % intervals hold in only 78 % of logs of
+/// white noise at a third of the log; here they hold in 98 % (docs/performance.md).
 ///
-/// Of more than 2¹⁶ averages the first 2¹⁶ are read: the standard error of the slope is below 0.02 then.
+/// Of more than 2¹⁶ averages only the first 2¹⁶ are read: the standard error of the slope is then below 0.02.
 template <typename Scalar>
 [[nodiscard]] int noise_type(const IntegratedSignal<Scalar>& signal, std::int64_t m) {
   const std::int64_t longest = signal.samples() / fewest_averages;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Allan analysis of logs of any length, one sample after the other:
+/// Streaming Allan analysis of logs of any length, sample by sample:
 ///
 ///   allan::StreamingAllanDeviation<double> allan(200.0);
 ///   while (read(y)) allan.push(y);
@@ -29,11 +29,11 @@
 
 namespace splinertia::allan {
 
-/// What noise_type() needs to know of averages over m samples, which come one by one.
+/// noise_type() of averages over m samples that arrive one by one.
 template <typename Scalar>
 class StreamingNoiseType {
  public:
-  /// The next average, or sum: the power law is that of both.
+  /// Adds the next average, or the next sum: both have the same power law.
   void add(Scalar z) {
     if (count() == most_averages) return;
     const Scalar difference = z - last_, second = difference - last_difference_;
@@ -54,7 +54,8 @@ class StreamingNoiseType {
   }
 
  private:
-  /// Sums over a series about its first value, near enough to its mean for that to be taken off in the end.
+  /// Sums over a series less its first value. That is close enough to the mean for the mean to be subtracted at the
+  /// end.
   struct Lags {
     std::int64_t count = 0;
     Scalar first{0}, last{0}, sum{0}, squares{0}, products{0};
@@ -75,28 +76,29 @@ class StreamingNoiseType {
     }
   };
 
-  std::array<Lags, 3> lags_;  ///< of the averages, their differences, and the differences of these
+  std::array<Lags, 3> lags_;  ///< of the averages, their first and their second differences
   Scalar last_{0}, last_difference_{0};
 };
 
-/// The overlapping Allan deviation for averaging factors 1, 2, 4 … of samples that are not kept.
+/// The overlapping Allan deviation for averaging factors 1, 2, 4 … The samples are not stored.
 ///
-/// Up to m = 16 it has the terms of OverlappingAllanDeviation, one at each sample, and their values; above, one each
-/// m/16 samples. That costs 0.5 % of the degrees of freedom of white noise and none of flicker noise and random walk.
-/// (Of quantisation noise, whose differences are independent from sample to sample, 16/m are left; so little of it is
-/// in averages over more than 16 samples that other noise is all that they show.)
+/// Up to m = 16 it averages the terms of OverlappingAllanDeviation, one per sample, and has the same values. Above, it
+/// averages one term per m/16 samples. That costs 0.5 % of the degrees of freedom for white noise and none for flicker
+/// noise and random walk. Quantisation noise, whose differences are independent from sample to sample, keeps a share of
+/// 16/m; but averages over more than 16 samples contain so little of it that other noise dominates.
 ///
-/// An offset is taken from each sample, and all sums are sums of two sums of half as many: nothing is ever subtracted
-/// but neighbouring sums from each other. Relative error of the deviations below 1e-12 for offsets that are off by up
-/// to ten standard deviations. Memory: 500 bytes an octave of m. Time: 16 to 25 ns a sample on one core of a Xeon.
+/// The offset is subtracted from each sample, and every sum is the sum of two sums of half as many samples, so that
+/// only neighbouring sums are subtracted from each other. The relative error of the deviations is below 1e-12 for an
+/// offset within ten standard deviations of the mean. Memory: 500 bytes per octave of m. Time: 16 to 25 ns a sample on
+/// one core of a Xeon.
 template <std::floating_point Scalar_ = double>
   requires(std::numeric_limits<Scalar_>::digits >= std::numeric_limits<double>::digits)
 class StreamingAllanDeviation {
  public:
   using Scalar = Scalar_;
 
-  /// Samples a second [Hz] > 0; an offset near the mean in the samples' unit, the first sample if none is given; the
-  /// largest averaging factor to look at. Throws std::invalid_argument for others.
+  /// Requires rate [Hz] > 0, an offset near the mean in the samples' unit (default: the first sample) and the largest
+  /// averaging factor to compute, >= 1. Throws std::invalid_argument for other values.
   explicit StreamingAllanDeviation(Scalar rate, std::optional<Scalar> offset = {},
                                    std::int64_t largest_factor = (std::numeric_limits<std::int64_t>::max)())
       : rate_(rate), largest_factor_(largest_factor), offset_(offset) {
@@ -105,7 +107,7 @@ class StreamingAllanDeviation {
     require(largest_factor >= 1, "StreamingAllanDeviation", "largest_factor", largest_factor, "an integer >= 1");
   }
 
-  /// The next sample. Throws std::invalid_argument, and stays as it was, for one that is not finite or so far from the
+  /// Adds the next sample. Throws std::invalid_argument, and changes nothing, if it is not finite or so far from the
   /// offset that squares of sums could overflow (5e129 for double).
   template <typename Sample>
     requires std::is_arithmetic_v<Sample>
@@ -128,9 +130,8 @@ class StreamingAllanDeviation {
 
   [[nodiscard]] std::int64_t samples() const { return samples_; }
 
-  /// The curve of the samples so far, with what CurveOptions says of the parameters. Factors that have not one term yet
-  /// are left out. Throws std::invalid_argument for fewer than 3 samples, samples that are all the same, and parameters
-  /// out of their range.
+  /// The curve of the samples so far; for the parameters see CurveOptions. Omits factors that have no term yet. Throws
+  /// std::invalid_argument for fewer than 3 samples, a constant signal, and parameters out of range.
   [[nodiscard]] Curve<Scalar> curve(Scalar confidence = one_sigma<Scalar>, std::optional<int> alpha = {},
                                     PhaseModel phase_model = PhaseModel::greenhall_riley) const {
     using Deviation = OverlappingAllanDeviation;
@@ -163,21 +164,22 @@ class StreamingAllanDeviation {
 
  private:
   static constexpr std::int64_t window = 16;  ///< blocks in a sum over m samples, from m = 16 on
-  static constexpr std::size_t steps = 5;     ///< 1, 2 … window
+  static constexpr std::size_t steps = 5;     ///< number of block counts 1, 2, 4, 8, 16 (window)
 
   struct Octave {
     CompensatedSum<Scalar> squares;
     StreamingNoiseType<Scalar> noise_type;
   };
 
-  /// Blocks of 2^level samples. The sum of the newest w blocks, w = 1, 2, 4, 8, 16, is that of w/2 and what that was
-  /// w/2 blocks ago; at [w + i % w] is what the sum of w was at block i, until block i + w takes its place.
+  /// Blocks of 2^level samples. The sum of the newest w blocks, w = 1, 2, 4, 8, 16, is the sum of the newest w/2 plus
+  /// that of the w/2 blocks before. past[w + i % w] is the sum of w blocks at block i, until block i + w overwrites it.
   struct Level {
     std::array<Scalar, 2 * window> past{};
     Octave octave;  ///< of m = window blocks, for level 1 and above
   };
 
-  /// The next block of a level: adds the terms of sums over `shortest` blocks and more. The sum of the last two blocks.
+  /// Processes the next block of a level: adds the terms of sums over `shortest` or more blocks. Returns the sum of the
+  /// last two blocks.
   template <std::uint64_t shortest>
   Scalar slide(std::size_t level, const Scalar& block) {
     const std::uint64_t blocks = static_cast<std::uint64_t>(samples_) >> level;
@@ -200,7 +202,7 @@ class StreamingAllanDeviation {
     return pair;
   }
 
-  /// False if its averaging factor is beyond what was asked for.
+  /// Returns false if its averaging factor is above the largest one requested.
   bool add_level() {
     if (window > largest_factor_ >> levels_.size()) return false;
     levels_.emplace_back();
@@ -215,7 +217,7 @@ class StreamingAllanDeviation {
                                   largest_value, " of the offset");
   }
 
-  /// 2⁴³¹ for double: n squares of 2 m times this, with m and n up to 2⁵³, are representable.
+  /// 2⁴³¹ for double: n squares of 2 m times this value are representable for m and n up to 2⁵³.
   static constexpr Scalar largest_value = [] {
     Scalar result = 1;
     for (int i = 0; i < (std::numeric_limits<Scalar>::max_exponent - 162) / 2; ++i) result *= 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What makes the readings of an IMU differ from those of a perfect one in the body frame, as far as a known motion
-/// shows it.
+/// The calibration of an IMU: how its readings differ from ideal ones in the body frame, as far as a known motion shows
+/// it.
 #pragma once
 
 #include <splinertia/group/pose.hpp>
@@ -9,7 +9,7 @@
 
 namespace splinertia {
 
-/// The reading at the IMU's time t is that of the motion at t + time_offset:
+/// The reading at the IMU's time t, with the motion taken at t + time_offset:
 ///   gyro  = R_BIᵀ ω + gyro_bias
 ///   accel = R_BIᵀ (Rᵀ(p̈ − gravity) + α × p_BI + ω × (ω × p_BI)) + accel_bias
 template <typename Scalar>
@@ -18,10 +18,10 @@ struct ImuCalibration {
   Vector3<Scalar> accel_bias = Vector3<Scalar>::Zero();  ///< m/s²
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
   LeverArm<Scalar> arm{Sophus::SO3<Scalar>(), Vector3<Scalar>::Zero()};
-  double time_offset = 0;  ///< s: of the motion's clock from the IMU's
+  double time_offset = 0;  ///< s: the motion's clock minus the IMU's
 };
 
-/// What such an IMU reads; `motion` is that at the sample's time + time_offset.
+/// The reading of an IMU with this calibration; `motion` is that at the sample's time + time_offset.
 template <Pose G, int D>
   requires(D >= 2)
 [[nodiscard]] ImuMeasurement<ScalarOf<G>> calibrated_imu(const Motion<G, D>& motion,
@@ -32,7 +32,7 @@ template <Pose G, int D>
   return reading;
 }
 
-/// d/dt of what it reads: [gyro; accel], rad/s² and m/s³.
+/// The time derivative of that reading: [gyro; accel], rad/s² and m/s³.
 template <Pose G>
 [[nodiscard]] Eigen::Matrix<ScalarOf<G>, 6, 1> calibrated_imu_rate(const Motion<G, 3>& m,
                                                                    const ImuCalibration<ScalarOf<G>>& calibration) {

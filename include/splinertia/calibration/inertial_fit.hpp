@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A spline through poses and the samples of an IMU together, and the calibration of the IMU that goes with it.
+/// Fits a spline to poses and the samples of an IMU together, and estimates the calibration of the IMU.
 #pragma once
 
 #include <algorithm>
@@ -16,20 +16,20 @@
 
 namespace splinertia {
 
-/// An estimated calibration.
+/// An estimated calibration and its quality.
 template <typename Scalar>
 struct CalibratedImu {
   ImuCalibration<Scalar> calibration;
-  /// One sigma of each, as the given noise of samples and poses implies; 0 of what was not estimated, infinite or huge
-  /// of what the motion does not show (and there the estimate is any that fits).
+  /// Standard deviations, as the given noise of samples and poses implies; 0 for what is not estimated. For what the
+  /// motion does not show they are infinite or huge, and the estimate is arbitrary.
   struct {
     Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
     Eigen::Matrix<Scalar, 2, 1> gravity_direction;  ///< rad, towards each column of gravity_tangent()
     Scalar time_offset;
   } standard_deviation;
-  Scalar gyro_rms;      ///< rad/s, of the residuals, axes together
-  Scalar accel_rms;     ///< m/s²
-  std::size_t samples;  ///< within the curve
+  Scalar gyro_rms;      ///< of the residuals over all axes, rad/s
+  Scalar accel_rms;     ///< the same, m/s²
+  std::size_t samples;  ///< how many are within the curve and outside its gaps
   int iterations;
   bool converged;
 };
@@ -39,8 +39,8 @@ struct InertialFit : Fit<Curve> {
   CalibratedImu<typename Curve::Scalar> imu;
 };
 
-/// The squares are those of noise, which leaves a cost of about one for each: what is lost is nothing beside it. Of
-/// data without noise nothing is left but rounding.
+/// When to stop. With noise each residual contributes about 1 to the cost, beside which a change of 1e-10 of the cost
+/// is negligible. Without noise only rounding is left, which the absolute limit allows for.
 template <typename Scalar>
 [[nodiscard]] Convergence<Scalar> inertial_convergence(std::size_t samples, int most_iterations) {
   constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
@@ -60,7 +60,7 @@ template <typename Curve>
 using InertialSystem =
     BandedSystem<typename Curve::Scalar, DofOf<typename Curve::Group>, Curve::order - 1, CalibrationRows::count>;
 
-/// Moves the curve, which is held by other terms as well, and the calibration.
+/// A model for minimize(): the unknowns are the curve, which has other terms as well, and the calibration.
 template <typename Curve, typename... CurveTerms>
 class InertialModel {
  public:
@@ -87,7 +87,7 @@ class InertialModel {
 template <typename Curve, typename... CurveTerms>
 InertialModel(const InertialTerm<Curve>&, const CurveTerms&...) -> InertialModel<Curve, CurveTerms...>;
 
-/// Of the equations only those of the border: the curve is known.
+/// Adds only to the border of the equations, because the curve is known.
 template <typename System>
 struct BorderOnly {
   System& system;
@@ -96,7 +96,7 @@ struct BorderOnly {
   void add(std::size_t, const auto& r, const auto&, const auto& border) { system.add_border(r, border); }
 };
 
-/// Moves the calibration alone.
+/// A model for minimize(): the unknown is the calibration alone.
 template <typename Curve>
 class CalibrationModel {
  public:
@@ -129,8 +129,8 @@ template <typename Curve>
   constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
   Eigen::Matrix<Scalar, CalibrationRows::count, 1> deviation;
   deviation.setConstant(infinity);
-  // Where unknowns have the same effect to rounding, a little damping holds them: then those of which the variance is
-  // up to what the damping allows are not seen, and the others do not feel it.
+  // If unknowns cannot be told apart to rounding, a little damping makes the system regular. Then unknowns whose
+  // variance comes near what the damping allows are not observable. The others are not affected.
   const Scalar little = sqrt(std::numeric_limits<Scalar>::epsilon());
   const bool regular = factor.compute(system, Scalar(0));
   if (!regular && !factor.compute(system, little)) return deviation;
@@ -144,7 +144,7 @@ template <typename Curve>
   return deviation;
 }
 
-/// What minimize() has found, with its standard deviations.
+/// The result of minimize() with its standard deviations.
 template <typename Curve>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrated_imu(
     const InertialTerm<Curve>& samples, const Curve& curve, const ImuCalibration<typename Curve::Scalar>& calibration,
@@ -166,16 +166,16 @@ template <typename Curve>
           minimum.converged};
 }
 
-/// How an IMU is mounted and biased, from its samples along a known curve: what is left of them shows how well the
-/// curve, and a simulator on it, matches a real sensor.
+/// Estimates the calibration of an IMU from its samples along a known curve. The residuals show how well the curve, and
+/// a simulation along it, matches the real sensor.
 ///
 ///   const auto imu = calibrate_imu(fit.spline, samples, {.gyro_standard_deviation = 0.01,
 ///                                                        .accel_standard_deviation = 0.1});
 ///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
 ///
 /// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Samples inside the `gaps` of the
-/// curve do not count: nothing measured the curve there. Throws std::invalid_argument for bad samples or options, and
-/// if none of the samples is within the curve and outside its gaps.
+/// curve are left out, because no data support the curve there. Throws std::invalid_argument for bad samples or
+/// options, and if no sample is within the curve and outside its gaps.
 template <typename Curve, std::ranges::forward_range Samples>
   requires Pose<typename Curve::Group>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
@@ -190,7 +190,7 @@ template <typename Curve, std::ranges::forward_range Samples>
   return calibrated_imu(term, curve, calibration, system, factor, minimum);
 }
 
-/// The same of a curve that was fitted to poses: samples inside its gaps do not count.
+/// The same for a curve that was fitted to poses: samples inside its gaps are left out.
 template <typename Curve, std::ranges::forward_range Samples>
   requires Pose<typename Curve::Group>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
@@ -198,11 +198,12 @@ template <typename Curve, std::ranges::forward_range Samples>
   return calibrate_imu(fit.spline, samples, options, fit.gaps);
 }
 
-/// The spline nearest to poses and to the samples of an IMU at once, each by its standard deviation, and the IMU's
-/// calibration. It starts from fit(poses, options) or, where that is nearer to the samples as well, from the poses at
-/// their times. The `standard_deviation` of a pose should be given: by default it is what fit() has found in the
-/// residuals. Rates of the IMU beside sparse or noisy poses make knots possible that the poses alone could not hold;
-/// where they leave gaps, the IMU bridges them.
+/// The spline nearest to poses and to the samples of an IMU together, and the IMU's calibration. Residuals are divided
+/// by their standard deviations. Give the `standard_deviation` of a pose; by default fit() estimates it from the
+/// residuals. If poses are sparse or noisy, the IMU's rates allow closer knots than the poses alone can determine. If
+/// they have gaps, the IMU bridges them.
+///
+/// The search starts from fit(poses, options) or, if that has the lower cost, from the poses at their times.
 ///
 /// Memory and time are linear in the number of poses and samples. Throws as fit() and calibrate_imu() do.
 template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples>
@@ -225,7 +226,7 @@ template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples
     const Scalar cost = model.linearize(state, system);
     return std::pair(cost, std::move(state));
   };
-  // Across a gap, or with knots that the poses hardly hold, the curve that is nearest to the poses alone goes astray.
+  // Across a gap, or with knots that the poses hardly determine, the fit to the poses alone can be far off.
   auto [cost, state] = start(problem.curve());
   auto [cost_of_unfitted, unfitted_state] = start(unfitted);
   if (cost_of_unfitted < cost) state = std::move(unfitted_state);

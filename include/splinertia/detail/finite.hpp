@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Checks for NaN and infinity that also work under -ffast-math. That option lets compilers remove every comparison
-/// and every std::isfinite that only a NaN or an infinity could decide; they keep what is asked of bits.
+/// Checks for NaN and infinity that also work under -ffast-math. That option lets compilers remove every comparison and
+/// std::isfinite call whose result only a NaN or an infinity could change. They keep tests of the bits.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -16,24 +16,23 @@
 
 namespace splinertia {
 
-/// Whether comparisons with NaN may come out either way, because this file is compiled with -ffast-math or a part of
-/// it.
+/// Whether comparisons with NaN are unreliable, because this file is compiled with -ffast-math or a part of it.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 constexpr bool finite_math_only = true;
 #else
 constexpr bool finite_math_only = false;
 #endif
 
-/// Neither infinite nor NaN, by the bits of the exponent. While compiling, only float and double.
+/// Neither infinite nor NaN, decided by the bits of the exponent. In constant expressions only float and double.
 template <std::floating_point T>
 [[nodiscard]] constexpr bool has_finite_bits(const T& x) {
   using Limits = std::numeric_limits<T>;
-  constexpr int width = std::bit_width(static_cast<unsigned>(Limits::max_exponent));  // of the exponent
+  constexpr int width = std::bit_width(static_cast<unsigned>(Limits::max_exponent));  // bits of the exponent
   if constexpr (sizeof(T) == 4 || sizeof(T) == 8) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
     constexpr Bits exponent = ((Bits{1} << width) - 1) << (Limits::digits - 1);
     return (std::bit_cast<Bits>(x) & exponent) != exponent;
-  } else {  // the 80 bits of x87, or 128: the highest 16 are the sign and the exponent
+  } else {  // x87 (80 bits) or 128 bits: the highest 16 are sign and exponent
     static_assert(width == 15);
     constexpr std::size_t bytes = Limits::digits == 64 ? 10 : sizeof(T);
     constexpr std::size_t highest = std::endian::native == std::endian::little ? bytes - 2 : 0;
@@ -43,7 +42,7 @@ template <std::floating_point T>
   }
 }
 
-/// Neither infinite nor NaN, for any scalar, also while compiling.
+/// Neither infinite nor NaN, for any scalar, also in constant expressions.
 template <typename T>
 [[nodiscard]] constexpr bool is_finite(const T& x) {
   if constexpr (std::floating_point<T> && !finite_math_only) {
@@ -54,7 +53,7 @@ template <typename T>
   return x >= std::numeric_limits<T>::lowest() && x <= (std::numeric_limits<T>::max)();
 }
 
-/// Integer times always are.
+/// Integer durations are always finite.
 template <std::integral Ticks, typename Period>
 [[nodiscard]] constexpr bool is_finite(const std::chrono::duration<Ticks, Period>&) {
   return true;

@@ -8,7 +8,7 @@
 
 namespace splinertia {
 
-/// std::array whose length is an int, as orders and dimensions are: the conversion that -Wsign-conversion asks for.
+/// std::array whose length is an int, like orders and dimensions. It avoids warnings of -Wsign-conversion.
 template <typename T, int N>
 using FixedArray = std::array<T, static_cast<std::size_t>(N)>;
 

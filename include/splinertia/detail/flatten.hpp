@@ -8,13 +8,13 @@
 
 namespace splinertia {
 
-/// f(), with all that it calls inlined, and that again.
+/// f(), with all calls inlined, at every depth.
 [[gnu::flatten]] inline auto call_flattened(const auto& f) { return f(); }
 
-/// f(), inlined to the last call where Scalar is a built-in type: compilers give up half-way through the many small
-/// functions of a kernel, and then every intermediate value goes through memory, at up to twice the instructions.
-/// Scalars of automatic differentiation or multiple precision, each operation of which is a function, are left to the
-/// compiler.
+/// f(), with all calls inlined at every depth if Scalar is a built-in type. Otherwise compilers stop half-way through
+/// the many small functions of a kernel; every intermediate value then goes through memory, at up to twice the
+/// instructions. For scalars of automatic differentiation or multiple precision, each operation of which is a function,
+/// inlining is left to the compiler.
 template <typename Scalar>
 inline auto flattened(const auto& f) {
   if constexpr (std::floating_point<Scalar>) {

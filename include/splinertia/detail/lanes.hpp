@@ -11,13 +11,13 @@
 
 namespace splinertia {
 
-/// N numbers that go through the same arithmetic at once: a scalar of which one operation is one SIMD instruction, or a
-/// few, in every template of this library that takes a Scalar and never branches on one. There is no comparison, so
-/// what would branch does not compile.
+/// A SIMD pack: N numbers (lanes) that go through the same arithmetic at once. It can be the Scalar of every template
+/// of this library that never branches on one; each operation is one SIMD instruction or a few. It has no comparisons,
+/// so that code which would branch on it does not compile.
 ///
-/// They are kept in vectors of Bytes bytes, those of g++'s and clang's extension, which both lower to what the target
-/// has; no intrinsics. Width and number are part of the type's name, so that functions compiled for different targets
-/// are different functions to the linker.
+/// The numbers are kept in vectors of Bytes bytes, by the vector extension of g++ and clang, which compiles to what the
+/// target has; there are no intrinsics. Width and number of the vectors are part of the type's name. Functions compiled
+/// for different targets are therefore different functions to the linker.
 template <typename T, int N, int Bytes>
 struct Lanes {
   using Vector [[gnu::vector_size(Bytes)]] = T;
@@ -34,7 +34,7 @@ struct Lanes {
     for (Vector& v : vector) v = x - Vector{};
   }
 
-  /// The N numbers from p on, which may be anywhere.
+  /// The N numbers from p on. p need not be aligned.
   [[nodiscard]] static Lanes load(const T* p) {
     Lanes x;
     std::memcpy(x.vector, p, sizeof(x.vector));
@@ -97,9 +97,9 @@ template <typename To, typename T, int N, int Bytes>
   }
 }
 
-/// Bytes of the widest vector that this target computes with, and how many of them to go through a function side by
-/// side: where vectors are narrow, a function's chain of dependent operations leaves the processor idle, and two take
-/// little longer.
+/// Bytes of the widest vector that this target computes with, and how many vectors a function processes side by side.
+/// Where vectors are narrow, a function's chain of dependent operations leaves the processor idle; two vectors then
+/// take little longer than one.
 #if defined(__AVX512F__)
 inline constexpr int vector_bytes = 64, vectors_at_once = 1;
 #elif defined(__AVX__)
@@ -108,7 +108,7 @@ inline constexpr int vector_bytes = 32, vectors_at_once = 1;
 inline constexpr int vector_bytes = 16, vectors_at_once = 2;
 #endif
 
-/// As many lanes of T as suit this target.
+/// The SIMD pack of T that suits this target.
 template <typename T>
 using NativeLanes = Lanes<T, vectors_at_once * vector_bytes / static_cast<int>(sizeof(T)), vector_bytes>;
 

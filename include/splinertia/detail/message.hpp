@@ -11,7 +11,8 @@
 
 namespace splinertia {
 
-/// One part of a message as text, without regard to the global locale: numbers as short as tells them apart.
+/// One part of a message as text, independent of the global locale. A floating-point number gets only as many digits as
+/// it takes to read back the same value.
 template <typename Part>
 [[nodiscard]] std::string message_part(const Part& part) {
   std::string result;
@@ -33,7 +34,7 @@ template <typename Part>
   return result;
 }
 
-/// Joins its arguments into the text of an error. Only called on the way to a throw.
+/// Joins its arguments into one text, mostly that of an error.
 template <typename... Parts>
 [[nodiscard]] std::string message(const Parts&... parts) {
   return (std::string() + ... + message_part(parts));

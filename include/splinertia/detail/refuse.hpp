@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the library says no: it throws; where exceptions are turned off (-fno-exceptions), it calls SPLINERTIA_REFUSE.
+/// How the library reports errors: it throws. Without exceptions (-fno-exceptions) it calls SPLINERTIA_REFUSE.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -17,8 +17,8 @@
 #include <string_view>
 
 #ifndef SPLINERTIA_REFUSE
-/// Without exceptions only: what is done with the text of an error, a `const char*`. The program is aborted if it
-/// returns. Define it before the first header of the library, alike in all source files.
+/// Only without exceptions: handles the text of an error, a `const char*`. If it returns, the program is aborted.
+/// Define it before the first header of the library, identically in all source files.
 #define SPLINERTIA_REFUSE(text) (std::fprintf(stderr, "%s\n", text), std::abort())
 #endif
 #endif
@@ -28,7 +28,7 @@ namespace splinertia {
 #ifndef __cpp_exceptions
 namespace detail {
 
-/// Appends one part of a message to text[used], as far as there is room: no stream, no heap.
+/// Appends one part of a message at text[used], cut off at the end of the buffer. Uses no stream and no heap.
 template <typename Part>
 void append_part(char* text, std::size_t size, std::size_t& used, const Part& part) {
   int wanted = 0;
@@ -53,7 +53,7 @@ void append_part(char* text, std::size_t size, std::size_t& used, const Part& pa
 }  // namespace detail
 #endif
 
-/// Throws an Error whose text is made of the parts; without exceptions, hands the text to SPLINERTIA_REFUSE.
+/// Throws an Error whose message is made of the parts. Without exceptions, passes the message to SPLINERTIA_REFUSE.
 template <typename Error, typename... Parts>
 [[noreturn, gnu::cold, gnu::noinline]] void refuse(const Parts&... parts) {
 #ifdef __cpp_exceptions

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How parameters are checked.
+/// Checks of parameters.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace splinertia {
 
-/// Throws std::invalid_argument, naming whose parameter it is (an error term, a function), the parameter, the value and
-/// what was expected, unless `good`.
+/// Throws std::invalid_argument unless `good`. The message names the owner of the parameter (an error term, a
+/// function), the parameter, its value and what was expected.
 template <typename Scalar>
 constexpr void require(bool good, const char* whose, const char* parameter, const Scalar& value, const char* expected) {
   if (!good) refuse<std::invalid_argument>(whose, ": ", parameter, " is ", value, ", expected ", expected);
@@ -22,7 +22,7 @@ constexpr void require_finite(const char* whose, const char* parameter, const Sc
   require(is_finite(value), whose, parameter, value, "a finite number");
 }
 
-/// The same for each component of a vector.
+/// Checks each component of a vector.
 template <typename Vector>
 constexpr void require_all_finite(const char* whose, const char* parameter, const Vector& values) {
   for (int i = 0; i < static_cast<int>(values.size()); ++i) {
@@ -42,7 +42,7 @@ constexpr void require_positive(const char* whose, const char* parameter, const 
   require(is_finite(value) && value > Scalar(0), whose, parameter, value, "a finite number > 0");
 }
 
-/// The largest magnitude of numbers of which three can be multiplied without overflow: a power of two.
+/// A power of two: three numbers of at most this magnitude can be multiplied without overflow.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar largest_factor() {
   Scalar factor(1);
@@ -50,7 +50,7 @@ template <typename Scalar>
   return factor;
 }
 
-/// For parameters that are multiplied with others and with a reading.
+/// Checks a parameter that is multiplied with others and with a reading: its third power must not overflow.
 template <typename Scalar>
 constexpr void require_factor(const char* whose, const char* parameter, const Scalar& value) {
   require_finite(whose, parameter, value);

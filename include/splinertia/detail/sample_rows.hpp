@@ -9,16 +9,15 @@
 
 namespace splinertia {
 
-/// Samples of `Rows` numbers each, kept as so many rows: number by number, not sample by sample, which is what SIMD
-/// writes and what plots, filters and Allan analysis read. Each row is contiguous and followed by room for the lanes of
-/// one vector, so that whole vectors can be written up to the end.
+/// Samples of `Rows` numbers each, stored as `Rows` contiguous rows: number by number, not sample by sample. SIMD code
+/// writes this order; plots, filters and Allan analysis read it. Behind each row there is room for one SIMD pack
+/// (Lanes), so that whole packs can be written up to the end.
 ///
-/// Capacity: of how many samples, for memory that is part of the object; Eigen::Dynamic for as many as resize() is
-/// told.
+/// Capacity: the number of samples if the memory is part of the object; with Eigen::Dynamic, resize() sets the number.
 template <typename Scalar, int Rows, int Capacity = Eigen::Dynamic>
 class SampleRows {
  public:
-  /// Room for `size` samples. What was there is lost; memory is taken only where the size changes.
+  /// Makes room for `size` samples. The previous contents are lost. Allocates only if the size changes.
   void resize(std::size_t size)
     requires(Capacity == Eigen::Dynamic)
   {
@@ -28,12 +27,13 @@ class SampleRows {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Writes to the rows. A copy of its own lets a loop keep it in registers.
+  /// Writes to the rows. A loop with a copy of its own can keep it in registers.
   class Writer {
    public:
     explicit Writer(SampleRows& rows) : data_(rows.numbers_.data()), stride_(rows.numbers_.cols()) {}
 
-    /// Numbers v[0] … v[Count − 1] of sample i to the rows from Row on; of the samples from i on where they are Lanes.
+    /// Writes v[0] … v[Count − 1] to the rows from Row on, for sample i. If they are SIMD packs (Lanes), for the
+    /// samples from i on.
     template <int Row, int Count>
     void write(std::size_t i, const auto& v) const {
       static_assert(Row + Count <= Rows);
@@ -53,7 +53,7 @@ class SampleRows {
     std::ptrdiff_t stride_;
   };
 
-  /// Rows r … r + Count − 1, a matrix of Count × size(): where they are kept, or of a temporary, a copy.
+  /// Rows r … r + Count − 1, a matrix of Count × size(): a view of the rows, or a copy if the object is a temporary.
   template <int Count>
   [[nodiscard]] auto rows(int r) const& {
     return numbers_.template middleRows<Count>(r).leftCols(static_cast<Eigen::Index>(size_));
@@ -72,8 +72,8 @@ class SampleRows {
   }
 
  private:
-  // Whole vectors, and three more: one for the lanes behind the last sample, and not a power of two, so that rows are
-  // not all in the same set of the cache.
+  // Whole SIMD packs plus three. One is for the lanes behind the last sample; the others make the length of a row
+  // differ from a power of two, so that not all rows lie in the same set of the cache.
   [[nodiscard]] static constexpr Eigen::Index columns(Eigen::Index size) {
     constexpr Eigen::Index lanes = NativeLanes<Scalar>::size;
     return (size / lanes + 3) * lanes;
@@ -84,7 +84,7 @@ class SampleRows {
   std::size_t size_ = Capacity == Eigen::Dynamic ? 0 : static_cast<std::size_t>(Capacity);
 };
 
-/// Goes through samples[0], samples[1], … of anything that makes them when they are asked for.
+/// Iterates over samples[0], samples[1], … of any container that makes its samples on access.
 template <typename Samples>
 class SampleIterator {
  public:

@@ -10,7 +10,7 @@
 
 namespace splinertia {
 
-/// Whether there is a function check_together(a, b), which throws std::invalid_argument if they cannot stand together.
+/// Whether there is a function check_together(a, b). It throws std::invalid_argument if the two terms are incompatible.
 template <typename A, typename B>
 inline constexpr bool are_checked_together = requires(const A& a, const B& b) { check_together(a, b); };
 
@@ -19,9 +19,10 @@ inline constexpr bool are_checked_together = requires(const A& a, const B& b) { 
 ///   ErrorModel gyro{RandomWalk{5e-5}, WhiteNoise{0.015}};
 ///   ErrorModel ideal{};                                     // an empty type that does nothing
 ///
-/// The same of a clock's time stamps: ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. What is not named
-/// costs nothing. See error_term.hpp for terms of your own. Two terms that cannot stand together are found by calling
-/// check_together(a, b), or (b, a), where there is such a function.
+/// An ErrorModel can also hold the errors of a clock's time stamps:
+/// ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. Terms that are not in the model cost nothing. See
+/// error_term.hpp for terms of your own. The constructor calls check_together(a, b) or check_together(b, a), if there
+/// is one, to reject incompatible terms.
 template <typename... Terms>
 class ErrorModel {
   static_assert((check_error_term<Terms>() && ...));
@@ -35,13 +36,13 @@ class ErrorModel {
   template <BitGenerator Generator = Xoshiro256>
   using State = std::tuple<StateOf<Terms, Generator>...>;
 
-  /// Throws std::invalid_argument for terms that cannot stand together.
+  /// Throws std::invalid_argument for incompatible terms.
   constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {
     if constexpr ((are_any_checked_with<Terms> || ...)) check_all(indices);
   }
 
-  /// The state before the first sample. Each term has random streams of its own under `sensor`, named by the term and
-  /// by how many of the same name stand before it.
+  /// The state before the first sample. Each term has its own random streams under the key `sensor`, named by the term
+  /// and by the number of terms of the same name before it.
   template <BitGenerator Generator = Xoshiro256>
   [[nodiscard]] State<Generator> start(StreamKey sensor) const {
     return [&]<std::size_t... Index>(std::index_sequence<Index...>) {
@@ -49,7 +50,7 @@ class ErrorModel {
     }(indices);
   }
 
-  /// Puts all errors into a sample (a Sample, or a Stamp).
+  /// Applies all terms, in their order, to a sample (a Sample or a Stamp).
   template <typename AnySample, typename AnyState>
     requires(AppliesTo<Terms, AnySample&, StateOf<Terms>> && ...)
   [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
@@ -58,7 +59,7 @@ class ErrorModel {
 
   [[nodiscard]] constexpr const std::tuple<Terms...>& terms() const { return terms_; }
 
-  /// The same model with more terms after its own.
+  /// This model followed by more terms.
   template <typename... More>
   [[nodiscard]] constexpr ErrorModel<Terms..., More...> with(const More&... more) const {
     return std::apply([&](const auto&... term) { return ErrorModel<Terms..., More...>(term..., more...); }, terms_);
@@ -75,7 +76,7 @@ class ErrorModel {
     (std::get<Index>(terms_).apply(sample, std::get<Index>(state)), ...);
   }
 
-  // One answer for each pair of types: compilers remember it from model to model.
+  // are_checked_together is one variable for each pair of types: compilers reuse it from model to model.
   template <typename T>
   static constexpr bool are_any_checked_with = (are_checked_together<T, Terms> || ...);
 
@@ -94,7 +95,7 @@ class ErrorModel {
     }
   }
 
-  // How many terms before the I-th have its name.
+  // The number of terms before the I-th that have its name.
   template <std::size_t Index>
   static constexpr std::uint64_t occurrence() {
     return []<std::size_t... J>(std::index_sequence<J...>) {
@@ -127,8 +128,7 @@ static_assert(std::is_empty_v<ErrorModel<>>);
 template <typename Model, BitGenerator Generator = Xoshiro256>
 using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
 
-/// What stands in an Imu as the errors of a sensor, or of its clock: ErrorModel, or a type of one's own with its
-/// start() and apply().
+/// The errors of a sensor, or of its clock, in an Imu: an ErrorModel, or a type of your own with start() and apply().
 template <typename Model>
 concept SensorModel = AppliesToSome<Model, StateOfModel<Model>, Sample>;
 template <typename Model>

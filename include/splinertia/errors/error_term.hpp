@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-/// What an error term is. A term is a struct of parameters with
+/// The contract of an error term. A term is a struct of parameters with these members:
 ///
-///   struct State;                                        what changes from sample to sample in one run
-///   template <typename Normals> struct State;            the same of a term that draws random numbers: made from its
-///                                                        StreamKey, as Normals (NormalStreams) are
-///   void apply(Sample<Scalar>& sample, State&) const;    what the term does to a sample; of a clock: Stamp<Scalar>&
-///   static constexpr std::string_view name;              names its random streams, and the term to people
-///   void describe(auto&& parameter) const;               calls parameter(name, value, unit) for each parameter, for
-///                                                        describe.hpp; optional
+///   struct State;
+///       What changes from sample to sample in one run. Must be default constructible.
+///   template <typename Normals> struct State;
+///       Instead of the above if the term draws random numbers. Must be constructible from the StreamKey of the term,
+///       as Normals (NormalStreams) is.
+///   void apply(Sample<Scalar>& sample, State& state) const;
+///       Must put the error into the sample and advance the state. For a term of a clock: Stamp<Scalar>& stamp.
+///   static constexpr std::string_view name;
+///       Names the random streams, and the term in descriptions. Optional for a term without random numbers.
+///   void describe(auto&& parameter) const;
+///       Optional, for imu/describe.hpp. Must call parameter(name, value, unit) for each parameter; the unit is a
+///       SensorUnit or a text.
 ///
 /// Parameters do not change, so that one model serves many runs and threads.
 #pragma once
@@ -23,24 +28,24 @@
 
 namespace splinertia {
 
-/// √x as an instruction alone: std::sqrt may set errno, which keeps compilers from computing it once before a loop.
+/// √x as a single instruction. std::sqrt may set errno, which keeps compilers from computing it once before a loop.
 template <typename Scalar>
 [[nodiscard, gnu::always_inline]] inline Scalar square_root(const Scalar& x) {
   return Eigen::Array<Scalar, 2, 1>::Constant(x).sqrt().eval().x();
 }
 
-/// A sample of one three-axis sensor on its way through the error terms.
+/// A sample of one three-axis sensor as it passes through the error terms.
 template <typename Scalar>
 struct Sample {
   Vector3<Scalar> value;         ///< the reading so far; the true one before the first term
-  Vector3<Scalar> bias;          ///< the bias in it so far
+  Vector3<Scalar> bias;          ///< the bias in `value` so far
   Scalar interval;               ///< since the previous sample, s; the sampling interval for the first
   bool first;                    ///< whether it is the first of its run
   Scalar elapsed;                ///< since the first sample, s
-  ImuMeasurement<Scalar> truth;  ///< what a perfect IMU would measure: for errors that cross from sensor to sensor
+  ImuMeasurement<Scalar> truth;  ///< what a perfect IMU measures, for errors that depend on the other sensor
 };
 
-/// The unit of a parameter in terms of its sensor's, which is rad/s or m/s²: over s^per_seconds, over √Hz, over K.
+/// The unit of a parameter: its sensor's unit (rad/s or m/s²), divided by s^per_seconds, √Hz and K.
 struct SensorUnit {
   int per_seconds = 0;
   bool per_root_hertz = false;
@@ -56,13 +61,13 @@ class NormalStreams {
   /// Three independent standard normal numbers.
   template <typename Scalar>
   [[nodiscard, gnu::always_inline]] Vector3<Scalar> draw() {
-    // In the order written: the arguments of a call would be evaluated in any.
+    // Three statements, for a fixed order: the arguments of a call may be evaluated in any order.
     const auto x = static_cast<Scalar>(x_());
     const auto y = static_cast<Scalar>(y_());
     const auto z = static_cast<Scalar>(z_());
     return {x, y, z};
   }
-  /// One of them, from the first stream.
+  /// One standard normal number, from the first stream.
   [[nodiscard]] double draw_one() { return x_(); }
   /// A number uniform in [0, 1), from the first stream.
   [[nodiscard]] double uniform() { return x_.uniform(); }
@@ -92,23 +97,25 @@ struct TermState<Term, Generator> {
   using type = typename Term::template State<NormalStreams<Generator>>;
 };
 
-/// The state of a term, with the generator that its random numbers come from.
+/// The state of a term whose random numbers come from Generator.
 template <TermWithState Term, BitGenerator Generator = Xoshiro256>
 using StateOf = typename TermState<Term, Generator>::type;
 
-/// Whether a state can be made as a run begins: by itself, or of a term that draws random numbers from its StreamKey.
+/// Whether the state can be constructed at the beginning of a run: by default or, for a term that draws random numbers,
+/// from its StreamKey.
 template <typename T>
 concept TermWithStart =
     TermWithState<T> &&
     (StochasticTerm<T> ? std::constructible_from<StateOf<T>, StreamKey> : std::default_initializable<StateOf<T>>);
 
-/// Whether errors, a term or a model, can be applied to such a sample.
+/// Whether `errors`, a term or a model, can be applied to such a sample.
 template <typename Errors, typename AnySample, typename State>
 concept AppliesTo = requires(const Errors& errors, AnySample sample, State& state) {
   errors.apply(static_cast<AnySample&&>(sample), state);
 };
 
-/// Becomes a Kind<Scalar>, Sample or Stamp, of whichever scalar a function asks for: one that it can change, or a copy.
+/// These two convert to Kind<Scalar> (Sample or Stamp) of whichever scalar a function asks for: to a reference that the
+/// function can write to, or to a copy.
 template <template <typename> typename Kind>
 struct OfAnyScalar {
   template <typename Scalar>
@@ -120,11 +127,11 @@ struct CopyOfAnyScalar {
   operator Kind<Scalar>() const;
 };
 
-/// Whether errors can be applied to Samples, or Stamps, of some scalar, and can change them.
+/// Whether errors can be applied to Samples (or Stamps) of some scalar, and can change them.
 template <typename Errors, typename State, template <typename> typename Kind>
 concept AppliesToSome = AppliesTo<Errors, Kind<double>&, State> || AppliesTo<Errors, OfAnyScalar<Kind>&, State>;
 
-/// Whether they take a copy of it, which takes their changes away: by value or as a reference to const.
+/// Whether errors take a copy or a reference to const, so that their changes would be lost.
 template <typename Errors, typename State, template <typename> typename Kind>
 concept AppliesToCopy = !AppliesTo<Errors, int, State> &&
                         (AppliesTo<Errors, Kind<double>, State> || AppliesTo<Errors, CopyOfAnyScalar<Kind>, State>);
@@ -140,7 +147,7 @@ concept ClockTerm = TermWithStart<T> && AppliesToSome<T, StateOf<T>, Stamp> && !
 template <typename T>
 concept ErrorTerm = SensorTerm<T> || ClockTerm<T>;
 
-/// Says in one line what a type lacks to be an error term; does not compile then.
+/// Fails to compile unless T is an error term, with one line that says what is missing.
 template <typename T>
 consteval bool check_error_term() {
   static_assert(TermWithState<T>,
@@ -159,7 +166,7 @@ consteval bool check_error_term() {
   return true;
 }
 
-/// Coefficients that depend on the interval between samples alone: made anew only when it changes.
+/// Coefficients that depend only on the interval between samples. They are recomputed only when it changes.
 template <typename Scalar, typename Coefficients>
 class ForInterval {
  public:
@@ -172,7 +179,7 @@ class ForInterval {
   }
 
  private:
-  Scalar interval_ = Scalar(-1);  // never that of a sample
+  Scalar interval_ = Scalar(-1);  // no sample has this interval
   Coefficients coefficients_{};
 };
 

@@ -12,9 +12,9 @@ struct ImuMeasurement {
   Vector3<Scalar> accel;  ///< specific force, m/s²
 };
 
-/// A number that is finite if all of a measurement are, and their sum does not overflow, and that is not finite if one
-/// of an ideal measurement is not. One component of the specific force stands for all three: the attitude has mixed
-/// them, and even zero times NaN or infinity is NaN.
+/// A number to test instead of every component. It is finite if all components are and their sum does not overflow. It
+/// is not finite if any component of an ideal measurement is not. accel[0] stands for the whole specific force, because
+/// the attitude has mixed its components, and even zero times NaN or infinity is NaN.
 template <typename Scalar>
 [[nodiscard, gnu::always_inline]] inline Scalar finiteness(const ImuMeasurement<Scalar>& m) {
   return (m.gyro[0] + m.gyro[1]) + (m.gyro[2] + m.accel[0]);

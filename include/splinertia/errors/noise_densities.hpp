@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// From what data sheets, logs and other programs give to the parameters of the error terms, and back.
+/// Conversions between figures of data sheets, logs and other programs and the parameters of the error terms.
 ///
-/// WhiteNoise and RandomWalk take densities of continuous time: N² is the two-sided power spectral density of the white
-/// noise (IEEE Std 952-1997, C.1.1), K² that of what the bias is the integral of (C.1.3). They do not depend on the
-/// rate; what a sample or a step has does. docs/noise_densities.md explains, with worked examples.
+/// WhiteNoise and RandomWalk take densities of continuous time. N² is the two-sided power spectral density of the white
+/// noise (IEEE Std 952-1997, C.1.1). K² is that of the noise whose integral is the bias (C.1.3). Densities do not
+/// depend on the sampling rate; the standard deviations of samples and steps do. docs/noise_densities.md explains this
+/// with examples.
 #pragma once
 
 #include <cmath>
@@ -12,9 +13,10 @@
 
 namespace splinertia {
 
-/// The standard deviation of a sample of white noise of density N at `rate` samples a second: N·√rate.
-/// N in unit/√Hz, rate in Hz, result in unit. Each function here throws std::invalid_argument unless a density,
-/// standard deviation or floor is finite and >= 0, and a rate or bandwidth finite and > 0.
+/// The standard deviation of a sample of white noise of density N at `rate` samples per second: N·√rate.
+/// N in unit/√Hz, rate in Hz, result in unit.
+/// Every function of this header throws std::invalid_argument unless each density, standard deviation and floor is
+/// finite and >= 0, and each rate and bandwidth is finite and > 0.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_sigma(const Scalar& density, const Hertz& rate) {
   using std::sqrt;
@@ -23,7 +25,8 @@ template <typename Scalar, typename Hertz>
   return density * sqrt(static_cast<Scalar>(rate));
 }
 
-/// The density N of white noise whose samples have standard deviation `sigma` at `rate` samples a second: sigma/√rate.
+/// The density N of white noise whose samples have standard deviation `sigma` at `rate` samples per second:
+/// sigma/√rate.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_density(const Scalar& sigma, const Hertz& rate) {
   using std::sqrt;
@@ -32,7 +35,7 @@ template <typename Scalar, typename Hertz>
   return sigma / sqrt(static_cast<Scalar>(rate));
 }
 
-/// The standard deviation of what a random walk of density K adds from one sample to the next: K/√rate.
+/// The standard deviation of the step of a random walk of density K from one sample to the next: K/√rate.
 /// K in unit/s/√Hz, rate in Hz, result in unit.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar random_walk_sigma(const Scalar& density, const Hertz& rate) {
@@ -42,7 +45,7 @@ template <typename Scalar, typename Hertz>
   return density / sqrt(static_cast<Scalar>(rate));
 }
 
-/// The density K of a random walk whose steps have standard deviation `sigma` at `rate` steps a second: sigma·√rate.
+/// The density K of a random walk whose steps have standard deviation `sigma` at `rate` steps per second: sigma·√rate.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar random_walk_density(const Scalar& sigma, const Hertz& rate) {
   using std::sqrt;
@@ -62,25 +65,26 @@ template <typename Scalar>
   }
 }
 
-/// The density N of white noise from a one-sided spectral density, over √2. "Noise density" or "noise spectral density"
-/// in a data sheet is one-sided: all power at positive frequencies. Angle and velocity random walks are N itself.
+/// The density N of white noise from a one-sided spectral density: one_sided/√2. The "noise density" or "noise spectral
+/// density" of a data sheet is one-sided: all power is at positive frequencies. Angle and velocity random walks are N
+/// itself.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar white_noise_density_from_one_sided(const Scalar& one_sided) {
   require_non_negative("white_noise_density_from_one_sided", "one-sided density", one_sided);
   return one_sided * root_half<Scalar>();
 }
 
-/// The one-sided spectral density, as data sheets give it, of white noise of density N: N·√2.
+/// The one-sided spectral density of white noise of density N, as in data sheets: N·√2.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar one_sided_density(const Scalar& density) {
   require_non_negative("one_sided_density", "density", density);
   return density * (Scalar(2) * root_half<Scalar>());
 }
 
-/// The standard deviation of white noise of density N behind a filter: N·√(2·bandwidth).
-/// The noise bandwidth of a filter counts positive frequencies, Hz: that of the ideal low pass is its cutoff, that of
-/// first order π/2 times as much, that of second order (Butterworth) 1.11 times. Sampling without aliasing at `rate`
-/// has rate/2, which gives white_noise_sigma.
+/// The standard deviation of white noise of density N after a filter: N·√(2·bandwidth).
+/// The noise bandwidth of a filter counts positive frequencies, Hz. It is the cutoff of an ideal low pass, π/2 times
+/// the cutoff for first order, 1.11 times for second order (Butterworth). Sampling without aliasing at `rate` has
+/// rate/2, which gives white_noise_sigma.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_rms(const Scalar& density, const Hertz& noise_bandwidth) {
   using std::sqrt;
@@ -89,7 +93,7 @@ template <typename Scalar, typename Hertz>
   return density * sqrt(Scalar(2) * static_cast<Scalar>(noise_bandwidth));
 }
 
-/// The density N of white noise that has standard deviation `rms` behind a filter of this noise bandwidth.
+/// The density N of white noise with standard deviation `rms` after a filter of this noise bandwidth.
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_density_from_rms(const Scalar& rms, const Hertz& noise_bandwidth) {
   using std::sqrt;
@@ -98,7 +102,7 @@ template <typename Scalar, typename Hertz>
   return rms / sqrt(Scalar(2) * static_cast<Scalar>(noise_bandwidth));
 }
 
-/// The noise bandwidth of a low pass of first order with this −3 dB frequency: π/2·cutoff. Both in Hz.
+/// The noise bandwidth of a first-order low pass with this −3 dB frequency: π/2·cutoff. Both in Hz.
 template <typename Hertz>
   requires(!std::is_integral_v<Hertz>)
 [[nodiscard]] Hertz first_order_noise_bandwidth(const Hertz& cutoff) {
@@ -107,7 +111,7 @@ template <typename Hertz>
   return Hertz(2) * atan(Hertz(1)) * cutoff;
 }
 
-/// √(2 ln 2/π) = 0.6643: what the Allan deviation of flicker noise is at its flat floor, over the coefficient B of the
+/// √(2 ln 2/π) = 0.6643: the flat floor of the Allan deviation of flicker noise, divided by the coefficient B of the
 /// bias instability. IEEE Std 952-1997, C.1.2.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar allan_floor_over_bias_instability() {
@@ -119,15 +123,15 @@ template <typename Scalar>
   }
 }
 
-/// The coefficient B from the lowest point of an Allan deviation, which is what data sheets call bias instability or
-/// in-run bias stability: floor/0.6643. Both in unit.
+/// The coefficient B from the minimum of an Allan deviation: floor/0.6643. Data sheets call the minimum bias
+/// instability or in-run bias stability. Both in unit.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar bias_instability_from_floor(const Scalar& floor) {
   require_non_negative("bias_instability_from_floor", "floor", floor);
   return floor / allan_floor_over_bias_instability<Scalar>();
 }
 
-/// The floor of the Allan deviation of bias instability B: 0.6643·B.
+/// The floor of the Allan deviation for the bias instability coefficient B: 0.6643·B.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar allan_floor(const Scalar& bias_instability) {
   require_non_negative("allan_floor", "bias instability", bias_instability);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Parameters of error terms and how they are checked.
+/// Parameters of error terms and their checks.
 #pragma once
 
 #include <array>
@@ -56,8 +56,7 @@ void require_finite(const char* term, const char* parameter, const Matrix3<Scala
   for (int i = 0; i < 9; ++i) require_finite(term, parameter, values(i / 3, i % 3));
 }
 
-/// The scalar of a term whose first parameter is a P: a number (double for whole ones), a PerAxis, a vector or a
-/// matrix.
+/// The scalar of a term whose first parameter is a P: a number (double for integers), a PerAxis, a vector or a matrix.
 template <typename P>
 struct ParameterScalar {};
 template <std::floating_point P>
@@ -74,8 +73,8 @@ struct ParameterScalar<P> {
   using type = typename P::Scalar;
 };
 
-/// For deduction guides: `template <typename P, typename... More> Term(const P&, const More&...) ->
-/// Term<ScalarOfParameter<P>>`.
+/// For deduction guides:
+///   template <typename P, typename... More> Term(const P&, const More&...) -> Term<ScalarOfParameter<P>>;
 template <typename P>
 using ScalarOfParameter = typename ParameterScalar<P>::type;
 

@@ -16,7 +16,8 @@
 
 namespace splinertia {
 
-/// From one world to another: p ↦ scale R p + t for positions, R_WB ↦ R R_WB for attitudes. An element of Sim(3).
+/// A transform from one world to another, an element of Sim(3): p ↦ scale R p + t for positions, R_WB ↦ R R_WB for
+/// attitudes.
 template <typename Scalar>
 struct SimilarityTransform {
   Sophus::SO3<Scalar> rotation{};
@@ -34,16 +35,17 @@ struct SimilarityTransform {
   }
 };
 
-/// The mean of the columns, of their differences from the first: far from the origin a plain sum would lose digits.
+/// The mean of the columns, computed from their differences from the first: far from the origin a plain sum would lose
+/// digits.
 template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> centroid(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& points) {
   return points.col(0) + (points.colwise() - points.col(0)).rowwise().mean();
 }
 
-/// The transform that takes the points x_i (columns, in m) next to the points y_i: minimises Σ |y_i − (c R x_i + t)|²,
-/// with c = 1 unless `with_scale`. U D Vᵀ is the singular value decomposition of the covariance of y and x, S turns the
-/// last axis round where det U det V < 0:
+/// The transform from the points x_i to the points y_i (columns, m) that minimises Σ |y_i − (c R x_i + t)|², with c = 1
+/// unless `with_scale`:
 ///   R = U S Vᵀ,  c = tr(D S)/σ_x²,  t = ȳ − c R x̄
+/// with the singular value decomposition U D Vᵀ of the covariance of y and x, and S = diag(1, 1, sign(det U det V)).
 /// Umeyama, "Least-squares estimation of transformation parameters between two point patterns", PAMI 13 (1991),
 /// (34)-(43). Throws std::invalid_argument if the points do not determine R: fewer than three, on one line, not finite.
 template <typename Scalar>
@@ -68,7 +70,7 @@ template <typename Scalar>
   const Vector3<Scalar> d = svd.singularValues();
   const bool mirrored = svd.matrixU().determinant() * svd.matrixV().determinant() < Scalar(0);
   const Vector3<Scalar> s(Scalar(1), Scalar(1), mirrored ? Scalar(-1) : Scalar(1));
-  // R is the only one that is best if d₂ + s d₃ > 0. What rounding leaves there: that of the points, times the spread.
+  // The minimum is unique if d₂ + s d₃ > 0. The rounding error of this sum is that of the points times their spread.
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon() *
                           (from.cwiseAbs().maxCoeff() * sqrt(variance_y) + to.cwiseAbs().maxCoeff() * sqrt(variance_x));
   if (!(d[1] + s[2] * d[2] > Scalar(16) * rounding)) {
@@ -87,7 +89,7 @@ template <typename Scalar>
 
 namespace detail {
 
-/// The rotation about z by the angle whose sine and cosine are proportional to these, of which one is not 0.
+/// The rotation about z by the angle whose sine and cosine are proportional to these. Requires that not both are 0.
 template <typename Scalar>
 [[nodiscard]] Sophus::SO3<Scalar> rotation_about_z(const Scalar& sine, const Scalar& cosine) {
   using std::atan2;
@@ -96,12 +98,12 @@ template <typename Scalar>
 
 }  // namespace detail
 
-/// The rotation about the z axis (against gravity) and the translation that take the points x_i next to the points y_i:
-/// minimises Σ |y_i − (R_z(ψ) x_i + t)|². With C = Σ (y_i − ȳ)(x_i − x̄)ᵀ
-///   ψ = atan2(C_yx − C_xy, C_xx + C_yy),  t = ȳ − R_z x̄
+/// The rotation about the z axis (against gravity) and the translation from the points x_i to the points y_i that
+/// minimise Σ |y_i − (R_z(ψ) x_i + t)|². These are what a visual-inertial estimator cannot observe.
+///   ψ = atan2(C_yx − C_xy, C_xx + C_yy),  t = ȳ − R_z x̄,  C = Σ (y_i − ȳ)(x_i − x̄)ᵀ
 /// Zhang and Scaramuzza, "A tutorial on quantitative trajectory evaluation for visual(-inertial) odometry", IROS 2018,
-/// section III: what a visual-inertial estimator cannot observe. Throws std::invalid_argument if the points do not
-/// determine ψ: fewer than two, one above the other, not finite.
+/// section III. Throws std::invalid_argument if the points do not determine ψ: fewer than two, all on one vertical
+/// line, not finite.
 template <typename Scalar>
 [[nodiscard]] SimilarityTransform<Scalar> fit_yaw(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& from,
                                                   const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& to) {
@@ -129,13 +131,17 @@ template <typename Scalar>
   return result;
 }
 
-/// What of the estimate's world is unknown and to be found: nothing; its place, from the first pair of poses; its
-/// heading about z and its origin, from all positions (of a single pair: from its attitudes); its place, from all
-/// positions (Umeyama); that and its scale.
+/// What is estimated of the transform from the estimate's world to the reference's:
+///   none    nothing
+///   origin  rotation and translation, from the first pair of poses
+///   yaw     rotation about z and translation, from all positions; of a single pair, the rotation from its attitudes
+///   se3     rotation and translation, from all positions (Umeyama)
+///   sim3    rotation, translation and scale, from all positions (Umeyama)
 enum class Alignment { none, origin, yaw, se3, sim3 };
 
-/// The transform from the world of the estimate to that of the reference, from the first `count` pairs if there are as
-/// many. Throws std::invalid_argument for no pairs, and as fit_similarity() and fit_yaw() do.
+/// The transform from the world of the estimate to that of the reference, from the first `count` pairs, or from all if
+/// there are fewer. Throws std::invalid_argument if there are no pairs, if a single pair does not determine the yaw,
+/// and as fit_similarity() and fit_yaw() do.
 template <Pose G, TimePoint Time>
 [[nodiscard]] SimilarityTransform<ScalarOf<G>> alignment(
     const std::vector<PosePair<G, Time>>& pairs, Alignment kind,
@@ -150,7 +156,7 @@ template <Pose G, TimePoint Time>
     const auto& [time, reference, estimate] = pairs.front();
     result.rotation = SO3::compose(rotation(reference), SO3::inverse(rotation(estimate)));
     if (kind == Alignment::yaw) {
-      // The nearest rotation about z: its quaternion has the same ratio of z to w.
+      // The nearest rotation about z has a quaternion with the same ratio of z to w.
       const auto& q = result.rotation.unit_quaternion();
       if (q.w() == Scalar(0) && q.z() == Scalar(0)) {
         refuse<std::invalid_argument>("alignment: the first pair of attitudes does not determine a rotation about z");

@@ -20,14 +20,14 @@
 
 namespace splinertia {
 
-/// What is known of the pose T_WB at one time, from two sources.
+/// The pose T_WB at one time from two sources.
 template <Pose G, TimePoint Time = std::chrono::nanoseconds>
 struct PosePair {
   Time time;  ///< of the estimate
   G reference, estimate;
 };
 
-/// Stamped<G, Time> in the order of time, where G is a pose.
+/// A random-access range of Stamped<G, Time> in order of time, where G is a pose.
 template <typename R>
 concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::sized_range<const R> &&
                     requires(const std::ranges::range_value_t<R>& stamped) {
@@ -35,7 +35,7 @@ concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::si
                       requires Pose<std::remove_cvref_t<decltype(stamped.value)>>;
                     };
 
-/// Throws std::invalid_argument if there are no poses, one is not finite, or times do not increase.
+/// Throws std::invalid_argument if there are no poses, if a pose is not finite, or if times do not increase.
 template <PoseRange Poses>
 void check_poses(const Poses& poses, std::string_view name) {
   const auto count = std::ranges::ssize(poses);
@@ -53,7 +53,7 @@ void check_poses(const Poses& poses, std::string_view name) {
   }
 }
 
-/// The pose nearest in time, the earlier one of two at the same distance. There must be one.
+/// The pose nearest in time; of two at the same distance, the earlier one. Requires at least one pose.
 template <PoseRange Poses, TimePoint Time>
 [[nodiscard]] const auto& nearest_pose(const Poses& poses, Time time) {
   const auto first = std::ranges::begin(poses);
@@ -64,11 +64,12 @@ template <PoseRange Poses, TimePoint Time>
   return after == end || time_between(before->time, time) <= time_between(time, after->time) ? *before : *after;
 }
 
-/// Pairs two trajectories by time: each pose of the shorter one (of the estimate, if they are of the same length) with
-/// the nearest of the longer one, if that is at most `max_difference` seconds away; the others are left out. A pose of
-/// the longer one stands in several pairs if it is the nearest of several. Grupp's evo does the same (its
-/// nearest_time), on times rounded to double seconds: where epoch stamps differ by max_difference to within 2e-7 s it
-/// may decide otherwise. Throws std::invalid_argument for what check_poses refuses, and if there are no pairs.
+/// Pairs two trajectories by time: each pose of the one with fewer poses (of the estimate, if both have as many) with
+/// the nearest of the other, if that is at most `max_difference` seconds away. Poses without a partner are left out. A
+/// pose of the longer trajectory is in several pairs if it is the nearest of several. Grupp's evo (nearest_time) does
+/// the same on times rounded to double seconds. If epoch stamps differ by max_difference to within 2e-7 s, it may
+/// therefore decide otherwise. Throws std::invalid_argument for what check_poses refuses, if max_difference is negative
+/// or not finite, and if there are no pairs.
 template <PoseRange Reference, PoseRange Estimate>
   requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
 [[nodiscard]] auto associate(const Reference& reference, const Estimate& estimate, double max_difference = 0.01) {

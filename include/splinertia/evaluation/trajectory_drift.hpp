@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Drift over segments of a given length, as the KITTI odometry benchmark counts it.
+/// Drift over segments of a given length, as the KITTI odometry benchmark defines it.
 ///
 ///   auto drift = error_statistics(drift_errors(pairs, 100), &PoseError<double>::translation);
 ///   100 * drift.mean;  // %
@@ -19,7 +19,7 @@
 
 namespace splinertia {
 
-/// m: the length of the reference's path to each pair.
+/// The length of the reference's path from the first pair to each pair, m.
 template <Pose G, TimePoint Time>
 [[nodiscard]] std::vector<ScalarOf<G>> reference_path(const std::vector<PosePair<G, Time>>& pairs) {
   std::vector<ScalarOf<G>> path(pairs.size(), ScalarOf<G>(0));
@@ -29,12 +29,12 @@ template <Pose G, TimePoint Time>
   return path;
 }
 
-/// The errors of segments over their length: translation in m/m, rotation in rad/m. Segments begin at every `step`-th
-/// pair and end with the first at which the reference's path is longer than `length`; the error of one is that of
-/// relative_errors(). There are none if the path is too short. Geiger, Lenz and Urtasun, "Are we ready for autonomous
+/// The relative_errors() of segments divided by `length`: translation in m/m, rotation in rad/m. A segment begins at
+/// every `step`-th pair and ends at the first pair for which the reference's path from its beginning is longer than
+/// `length`. The result is empty if the path is too short. Geiger, Lenz and Urtasun, "Are we ready for autonomous
 /// driving? The KITTI vision benchmark suite", CVPR 2012, and the benchmark's development kit, which takes every tenth
-/// pair and lengths of 100, 200, …, 800 m, and ranks by the mean of all. Throws std::invalid_argument for a length ≤ 0
-/// and for step 0.
+/// pair and lengths of 100, 200, …, 800 m, and ranks by the mean of all. Throws std::invalid_argument unless the length
+/// is finite and > 0, and for step 0.
 template <Pose G, TimePoint Time>
 [[nodiscard]] std::vector<PoseError<ScalarOf<G>>> drift_errors(const std::vector<PosePair<G, Time>>& pairs,
                                                                std::type_identity_t<ScalarOf<G>> length,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How far an estimated trajectory is from a reference, as Grupp's evo counts it (github.com/MichaelGrupp/evo, 1.38):
+/// Errors of an estimated trajectory against a reference, as Grupp's evo defines them (github.com/MichaelGrupp/evo,
+/// 1.38):
 ///
 ///   auto pairs = aligned(associate(reference, estimate), Alignment::se3);
 ///   auto ate = error_statistics(absolute_errors(pairs), &PoseError<double>::translation);
@@ -43,8 +44,8 @@ template <Pose G, TimePoint Time>
   return errors;
 }
 
-/// RPE (translation part and rotation angle) between each two indices i, j: of E = (Q_i⁻¹ Q_j)⁻¹ (P_i⁻¹ P_j), with Q
-/// the reference and P the estimate in SE(3). Sturm et al., (1). Requires indices of `pairs`.
+/// RPE for each pair of indices i, j: translation part and rotation angle of E = (Q_i⁻¹ Q_j)⁻¹ (P_i⁻¹ P_j), with Q the
+/// reference and P the estimate in SE(3). Sturm et al., (1). Requires that the indices are those of `pairs`.
 template <Pose G, TimePoint Time>
 [[nodiscard]] std::vector<PoseError<ScalarOf<G>>> relative_errors(const std::vector<PosePair<G, Time>>& pairs,
                                                                   const IndexPairs& indices) {
@@ -65,20 +66,20 @@ template <Pose G, TimePoint Time>
   return errors;
 }
 
-/// In the unit of the errors; sse in its square.
+/// Statistics in the unit of the errors; sse in its square.
 template <typename Scalar>
 struct ErrorStatistics {
   std::size_t count;
   Scalar rmse;  ///< √(sse/count)
   Scalar mean;
-  Scalar median;              ///< the mean of the two in the middle, if there are two
-  Scalar standard_deviation;  ///< of all there are: √(Σ (e − mean)²/count)
+  Scalar median;              ///< for an even count, the mean of the two in the middle
+  Scalar standard_deviation;  ///< of the population: √(Σ (e − mean)²/count)
   Scalar min, max;
   Scalar sse;  ///< Σ e²
 };
 
-/// Statistics of the errors, or of a part of them: `error_statistics(errors, &PoseError<double>::rotation)`. Throws
-/// std::invalid_argument for no errors, and for one that is not finite.
+/// Statistics of the errors, or of a part of each: `error_statistics(errors, &PoseError<double>::rotation)`. Throws
+/// std::invalid_argument if there are no errors and if one is not finite.
 template <std::ranges::input_range Errors, typename Part = std::identity>
 [[nodiscard]] auto error_statistics(const Errors& errors, Part part = {}) {
   using Scalar = std::remove_cvref_t<std::invoke_result_t<Part&, std::ranges::range_reference_t<const Errors>>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Between which poses relative errors are taken.
+/// The pairs of poses between which relative errors are taken.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,14 @@
 
 namespace splinertia {
 
-/// Where relative errors are taken: from the first index to the second.
+/// Pairs of indices: a relative error is taken from the first index to the second.
 using IndexPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// One after the other, (0, d) (d, 2d) …; or from every index on, overlapping.
+/// consecutive: one pair after the other, (0, d) (d, 2d) …; all: a pair from every index, overlapping.
 enum class PairSelection { consecutive, all };
 
-/// Indices `delta` apart, of `size` in all. Throws std::invalid_argument for delta = 0 and if there are none.
+/// Pairs of indices `delta` apart, from 0 to size − 1. Throws std::invalid_argument for delta = 0 and if there are no
+/// pairs.
 [[nodiscard]] inline IndexPairs index_pairs_by_frames(std::size_t size, std::size_t delta,
                                                       PairSelection selection = PairSelection::consecutive) {
   IndexPairs indices;
@@ -38,9 +39,10 @@ enum class PairSelection { consecutive, all };
   return indices;
 }
 
-/// Indices between which the estimate has come `delta` metres along its path. Consecutive: the first index at which it
-/// has come as far, or farther. All: the index at which it has come nearest to that far, if to within
-/// tolerance · delta. Throws std::invalid_argument for delta ≤ 0 and if there are none.
+/// Pairs of indices between which the estimate's path is `delta` metres long. Consecutive: to the first index at which
+/// it is at least that long; the next pair begins there. All: to the index at which its length is nearest to delta, if
+/// it differs by at most tolerance · delta. Throws std::invalid_argument unless delta is finite and > 0, and if there
+/// are no pairs.
 template <Pose G, TimePoint Time>
 [[nodiscard]] IndexPairs index_pairs_by_path(const std::vector<PosePair<G, Time>>& pairs,
                                              std::type_identity_t<ScalarOf<G>> delta,
@@ -73,7 +75,7 @@ template <Pose G, TimePoint Time>
       const auto miss = [&](auto at) { return abs(*at - path[i] - delta); };
       const auto next = path.begin() + static_cast<std::ptrdiff_t>(i) + 1;
       auto best = std::partition_point(next, path.end(), [&](Scalar s) { return s - path[i] < delta; });
-      // The one before is as good or better? Of several at the same place, take the first.
+      // The one before may be as good or better. Of several with the same path length, take the first.
       if (best == path.end() || (best != next && miss(best - 1) <= miss(best))) {
         best = std::lower_bound(next, path.end(), *(best - 1));
       }
@@ -87,10 +89,10 @@ template <Pose G, TimePoint Time>
   return indices;
 }
 
-/// Indices between which `delta` seconds pass, to the pose nearest in time, if that is so to within tolerance · delta.
-/// Consecutive: each pair begins where the one before ends, or, after a gap, with the next pose that has a partner.
-/// All: from every pose on, as evaluate_rpe.py of the TUM RGB-D benchmark pairs them. Throws std::invalid_argument for
-/// delta ≤ 0 and if there are none.
+/// Pairs of indices `delta` seconds apart: to the pose whose time difference is nearest to delta, if it differs by at
+/// most tolerance · delta. Consecutive: each pair begins where the one before ends or, after a gap, with the next pose
+/// that has a partner. All: a pair from every pose, as in evaluate_rpe.py of the TUM RGB-D benchmark. Throws
+/// std::invalid_argument unless delta is finite and > 0, and if there are no pairs.
 template <Pose G, TimePoint Time>
 [[nodiscard]] IndexPairs index_pairs_by_time(const std::vector<PosePair<G, Time>>& pairs, double delta,
                                              PairSelection selection = PairSelection::consecutive,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The offset between the clocks of two trajectories of one body, from its angular speed.
+/// The clock offset between two trajectories of one body, estimated from its angular speed.
 #pragma once
 
 #include <algorithm>
@@ -23,20 +23,19 @@ namespace splinertia {
 
 struct TimeOffsetOptions {
   double range = 1;   ///< s: offsets from −range to range are tried
-  double window = 0;  ///< s: angular speeds are means over this long; 0: from 0.1 s or 4 pose intervals on
+  double window = 0;  ///< s: angular speeds are averaged over this; 0: chosen, at least 0.1 s and 4 pose intervals
 };
 
 struct TimeOffset {
   double offset;              ///< s: to be added to the estimate's stamps
-  double standard_deviation;  ///< s: as the residuals of the angular speeds imply
+  double standard_deviation;  ///< s: estimated from the residuals of the angular speeds
   double correlation;         ///< of the angular speeds at this offset
-  double window;              ///< s: that was used
+  double window;              ///< s: the one that was used
 };
 
 namespace detail {
 
-/// By how much the logarithm of the likelihood of `n` independent samples falls, twice, from one correlation to
-/// another.
+/// Twice the decrease of the log-likelihood of `n` independent samples from one correlation to another.
 [[nodiscard]] inline double likelihood_drop(double n, double from, double to) {
   const auto left = [](double c) { return (std::max)(1e-12, 1 - (std::max)(c, 0.0) * (std::max)(c, 0.0)); };
   return n * std::log(left(to) / left(from));
@@ -45,7 +44,7 @@ namespace detail {
 /// For messages.
 [[nodiscard]] inline double rounded(double x) { return std::round(1e4 * x) / 1e4; }
 
-/// The angular speeds of both trajectories on one grid, and what their correlation says of the offset.
+/// Finds the offset with the largest correlation between the angular speeds of both trajectories on one grid.
 class OffsetSearch {
  public:
   /// An offset, or why there is none.
@@ -98,7 +97,7 @@ class OffsetSearch {
   [[nodiscard]] std::size_t size() const { return reference_speeds_.size(); }
   [[nodiscard]] double offset(std::ptrdiff_t index) const { return static_cast<double>(index - lags_) * step_; }
 
-  /// The squared residuals of a regression of the reference's speeds on the estimate's, block by block in time.
+  /// The squared residuals of a regression of the reference's speeds on the estimate's, summed over blocks of time.
   [[nodiscard]] Squares squares(double offset, std::size_t blocks) const {
     const auto shifted = estimate_.sampled(start_ - offset, window_, size());
     const SpeedRegression regression(shifted, reference_speeds_);
@@ -108,10 +107,10 @@ class OffsetSearch {
     return sums;
   }
 
-  /// The offset of least squares near one. At the minimum the slopes of the blocks add up to zero: what is left of each
-  /// is by chance, and tells the standard deviation. Where that is not far below the window, the minimum itself may be
-  /// one of noise. Differences are taken over h: wide enough for noise, and narrow enough for a curve that is no
-  /// parabola.
+  /// The least-squares offset near a given one. At the minimum the slopes of the blocks add up to zero. What is left of
+  /// each slope is due to noise, and gives the standard deviation. If that is not far below the window, noise may have
+  /// caused the minimum itself. Derivatives are differences over h, which is chosen large enough for the noise and
+  /// small enough for a cost that is not a parabola.
   [[nodiscard]] Result refined(double offset) const {
     double h = window_ / 4;
     const std::size_t blocks = std::clamp(size() / 80, std::size_t{5}, std::size_t{50});
@@ -143,8 +142,9 @@ class OffsetSearch {
     }
   }
 
-  /// Neighbouring speeds are alike: as many independent ones give correlations of the same variance. Bartlett, "Some
-  /// aspects of the time-correlation problem in regard to tests of significance", J. R. Stat. Soc. 98 (1935).
+  /// The effective number of samples: neighbouring speeds are correlated, and so many independent ones would give
+  /// correlations of the same variance. Bartlett, "Some aspects of the time-correlation problem in regard to tests of
+  /// significance", J. R. Stat. Soc. 98 (1935).
   [[nodiscard]] double independent_samples(std::size_t count) const {
     const auto autocorrelation = [](std::span<const double> speeds, std::size_t lag) {
       return SpeedRegression(speeds.first(speeds.size() - lag), speeds.last(speeds.size() - lag)).correlation;
@@ -156,7 +156,7 @@ class OffsetSearch {
     return static_cast<double>(count) / (std::max)(1.0, sum);
   }
 
-  /// Why the maximum of the correlation is none of one offset alone; "" if it is.
+  /// Why the maximum of the correlation does not determine a single offset; "" if it does.
   [[nodiscard]] std::string objection(const std::vector<double>& correlation, std::ptrdiff_t best,
                                       double independent) const {
     const double most = correlation[static_cast<std::size_t>(best)];
@@ -188,16 +188,16 @@ class OffsetSearch {
 
 }  // namespace detail
 
-/// The offset to be added to the estimate's stamps. It maximises the correlation of the angular speeds |ω|, which
-/// depend neither on the worlds nor on the body's axes nor on scale: first on a grid of 1/8 window over the range, then
-/// by least squares. The standard deviation is that of a sandwich estimate over 5 to 50 blocks of time, so that noise
-/// may be correlated over a window. If noise hides the offset, windows up to 8 times as long are tried, unless one is
-/// given.
+/// The clock offset, which is to be added to the estimate's stamps. It maximises the correlation of the angular speeds
+/// |ω|, which are independent of the worlds, of the body's axes and of scale. The search is first on a grid of 1/8
+/// window over the range, then by least squares. The standard deviation is a sandwich estimate over 5 to 50 blocks of
+/// time, so that noise may be correlated over a window. If the offset is not determined and no window is given, windows
+/// up to 8 times as long are tried.
 ///
-/// Throws std::invalid_argument for what check_poses() refuses and bad options, and where the motion does not show the
-/// offset: if both trajectories are known for less than 20 windows at once, if their speeds are not related beyond
-/// chance (a body at rest or at a constant rate, two bodies), if they agree best at an end of the range, if another
-/// offset is about as likely, and if the standard deviation is above 1/40 of the window.
+/// Throws std::invalid_argument for what check_poses() refuses, for bad options, and if the motion does not determine
+/// the offset: if both speeds are known for less than 20 windows at once, if they are not correlated beyond chance (a
+/// body at rest or at a constant rate, two bodies), if they agree best at an end of the range, if another offset is
+/// about as likely, and if the standard deviation is above 1/40 of the window.
 template <PoseRange Reference, PoseRange Estimate>
   requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
 [[nodiscard]] TimeOffset estimate_time_offset(const Reference& reference, const Estimate& estimate,

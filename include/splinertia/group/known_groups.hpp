@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The groups that the library knows: Rⁿ and products, and those of Sophus where it is installed. Headers include this
-/// one where they serve all groups and treat those of Sophus by name, so that curves on Rⁿ need nothing but Eigen.
+/// The groups that the library knows: Rⁿ, products and, if Sophus is installed, its groups. Headers that serve all
+/// groups and also name Sophus' types include this one, so that curves on Rⁿ need only Eigen.
 #pragma once
 
 #include <splinertia/group/euclidean.hpp>
@@ -23,7 +23,7 @@ class SE3;
 
 namespace splinertia {
 
-/// Without Sophus nothing is a pose.
+/// Without Sophus no type is a pose.
 template <typename G>
 concept Pose = false;
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// What the library asks of a Lie group. A type becomes a group by specialising GroupTraits; nothing else of it is
-/// used.
+/// The requirements on a Lie group. A type becomes a group by specialising GroupTraits; the library needs nothing else
+/// of it but a default constructor and copies.
 ///
-/// Conventions: tangent vectors are columns of Dof scalars; exp and log are the group's exponential coordinates;
-/// perturbations are on the right, X ⊞ δ = X exp(δ); Jacobians are those of exp,
-///   exp(τ + δ) ≈ exp(J_l(τ) δ) exp(τ) ≈ exp(τ) exp(J_r(τ) δ).
+/// Conventions:
+/// - Tangent vectors are columns of Dof scalars; exp and log are the group's exponential coordinates.
+/// - Perturbations are on the right: X ⊞ δ = X exp(δ).
+/// - Jacobians are those of exp: exp(τ + δ) ≈ exp(J_l(τ) δ) exp(τ) ≈ exp(τ) exp(J_r(τ) δ).
+///
 /// Notation as in Solà, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", arXiv:1812.01537.
 #pragma once
 
@@ -15,11 +17,10 @@
 
 namespace splinertia {
 
-/// Specialise for a group G:
+/// Customisation point. Specialise it for a group G. Required:
 ///
 ///   using Scalar                                    the real type
 ///   static constexpr int Dof                        dimension of the tangent space
-///   static constexpr bool commutative               (optional, default false) X Y = Y X for all X, Y
 ///   static G identity()
 ///   static G compose(const G& x, const G& y)        x y
 ///   static G inverse(const G& x)                    x⁻¹
@@ -28,27 +29,27 @@ namespace splinertia {
 ///   static Tangent adjoint(const G& x, const Tangent& tau)           Ad_x τ = log(x exp(τ) x⁻¹)
 ///   static Tangent bracket(const Tangent& a, const Tangent& b)       ad_a b = [a, b]
 ///
-/// Where the group can do better than the composition of the above, it may add
+/// Optional, for a group that can do better than the defaults:
 ///
+///   static constexpr bool commutative                                X Y = Y X for all X, Y (default: false)
 ///   static Tangent increment(const G& x, const G& y)                 log(x⁻¹ y), accurate for close x and y
 ///   static Tangent adjoint_inverse(const G& x, const Tangent& tau)   Ad_{x⁻¹} τ
 ///   static G exp(const Scalar& lambda, const Tangent& tau)           exp(λ τ), 0 ≤ λ ≤ 1
 ///
-/// where its elements are kept in more numbers than Dof, so that they can drift away from the group,
+/// Optional, for elements stored as more than Dof numbers, which can drift away from the group:
 ///
-///   static Scalar drift(const G& x)          how far x is from the group, e.g. ||q| − 1|
-///   static G normalized(const G& x)          the element of the group next to x
+///   static Scalar drift(const G& x)                 how far x is from the group, e.g. ||q| − 1|
+///   static G normalized(const G& x)                 the element of the group nearest to x
 ///
-/// and, for whoever asks for Jacobians (Dof × Dof),
+/// Optional, for Jacobians (Dof × Dof):
 ///
 ///   static Jacobian left_jacobian(const Tangent& tau)                J_l(τ)
 ///   static Jacobian left_jacobian_inverse(const Tangent& tau)        J_l(τ)⁻¹, for |rotation| < 2π
 ///
-/// and, to make linearizing a curve cheaper than with Jacobians as dense matrices,
+/// Optional, to linearise a curve at lower cost than with dense Jacobians:
 ///
-///   using Operator = …                           what left_jacobian returns: +, −, · by itself and by Scalar,
-///   identity(),
-///                                                and a conversion to Jacobian (default: Jacobian)
+///   using Operator = …                              the type that left_jacobian returns (default: Jacobian): has +, −,
+///                                                   · by itself and by Scalar, identity(), conversion to Jacobian
 ///   static Operator adjoint_inverse_operator(const G& x)                 Ad_{x⁻¹}
 ///   static Operator bracket_times(const Tangent& a, const Operator& M)   ad_a M
 ///   static Operator times_bracket(const Operator& M, const Tangent& a)   M ad_a
@@ -67,11 +68,11 @@ using Tangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, 1>;
 template <typename G>
 using Jacobian = Eigen::Matrix<ScalarOf<G>, DofOf<G>, DofOf<G>>;
 
-// Eigen's own: an alias of ours would be ambiguous to who uses both namespaces.
+// Eigen's own names: an alias of ours would be ambiguous in code that uses both namespaces.
 using Eigen::Matrix3;
 using Eigen::Vector3;
 
-/// A type with a complete GroupTraits. Demands only what evaluating a curve needs.
+/// A type with a complete GroupTraits. It requires only what evaluating a curve needs.
 template <typename G>
 concept LieGroup = requires(const G& x, const G& y, const Tangent<G>& a, const Tangent<G>& b) {
   requires std::default_initializable<G>;
@@ -85,14 +86,14 @@ concept LieGroup = requires(const G& x, const G& y, const Tangent<G>& a, const T
   { GroupTraits<G>::bracket(a, b) } -> std::convertible_to<Tangent<G>>;
 };
 
-/// A group that also knows the Jacobians of its exponential.
+/// A group that also provides the Jacobians of its exponential.
 template <typename G>
 concept LieGroupWithJacobians = LieGroup<G> && requires(const Tangent<G>& a) {
   { GroupTraits<G>::left_jacobian(a) } -> std::convertible_to<Jacobian<G>>;
   { GroupTraits<G>::left_jacobian_inverse(a) } -> std::convertible_to<Jacobian<G>>;
 };
 
-/// Whether X Y = Y X: brackets vanish and Adjoints are the identity, so that neither is ever computed.
+/// Whether X Y = Y X. Brackets are then zero and Adjoints the identity, so that neither is ever computed.
 template <LieGroup G>
 inline constexpr bool is_commutative = [] {
   if constexpr (requires { GroupTraits<G>::commutative; }) {
@@ -102,7 +103,7 @@ inline constexpr bool is_commutative = [] {
   }
 }();
 
-/// log(x⁻¹ y): the tangent that leads from x to y. Relative accuracy for close x and y where the group provides it.
+/// log(x⁻¹ y): the tangent that leads from x to y. Accurate for close x and y if GroupTraits has an increment().
 template <LieGroup G>
 [[nodiscard]] Tangent<G> increment(const G& x, const G& y) {
   if constexpr (requires { GroupTraits<G>::increment(x, y); }) {
@@ -122,7 +123,7 @@ template <LieGroup G>
   }
 }
 
-/// Ad_{x⁻¹} τ: the tangent τ, seen from x.
+/// Ad_{x⁻¹} τ: the tangent τ as seen from x.
 template <LieGroup G>
 [[nodiscard]] Tangent<G> adjoint_inverse(const G& x, const Tangent<G>& tau) {
   if constexpr (requires { GroupTraits<G>::adjoint_inverse(x, tau); }) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// Group elements as plain numbers in memory: the parameter blocks of an optimiser, rows of a file, arrays of another
-/// library. The numbers of an element are those that Sophus keeps, in its order:
+/// Group elements as arrays of numbers: parameter blocks of an optimiser, rows of a file, arrays of another library.
+/// The numbers and their order are Sophus' own:
 ///
 ///   SO3  x y z w of the unit quaternion        SE3  x y z w, then the translation
 ///   SO2  cos θ, sin θ                          SE2  cos θ, sin θ, then the translation
-///   Rⁿ   its components                        Product<G...>  those of the factors, one after the other
+///   Rⁿ   its components                        Product<G...>  the numbers of the factors, one factor after the other
 ///
-/// so that `.data()` of a Sophus object is such a block. Sophus' types may ask for aligned memory; these numbers may be
-/// anywhere.
+/// So `.data()` of a Sophus object is such an array. Sophus' types may need aligned memory; these arrays do not.
 #pragma once
 
 #include <concepts>
@@ -18,27 +17,27 @@
 
 namespace splinertia {
 
-/// Specialise for a group G with d = Dof whose elements are kept as n numbers:
+/// Customisation point. Specialise it for a group G with d = Dof whose elements are stored as n numbers:
 ///
 ///   static constexpr int size                                  n
-///   static G read(const Scalar* numbers)                       the element of n numbers, taken as they are
-///   static void write(const G& x, Scalar* numbers)
+///   static G read(const Scalar* numbers)                       the element with these n numbers, not normalised
+///   static void write(const G& x, Scalar* numbers)             writes the n numbers of x
 ///   static Matrix<n, d> tangent_to_parameters(const G& x)      J = d write(x exp(δ))/dδ at δ = 0
 ///   static Matrix<d, n> parameters_to_tangent(const G& x)      d log(x⁻¹ y)/d write(y) at y = x, a left inverse of J
 template <typename G>
 struct ParameterLayout;
 
-/// A group of which ParameterLayout is known.
+/// A group with a ParameterLayout.
 template <typename G>
 concept HasParameterLayout = LieGroup<G> && requires {
   { ParameterLayout<G>::size } -> std::convertible_to<int>;
 };
 
-/// How many numbers an element of G is kept in.
+/// The number of scalars that store an element of G.
 template <HasParameterLayout G>
 inline constexpr int parameter_count = ParameterLayout<G>::size;
 
-/// The element of G that the numbers at `numbers` are. Nothing is normalised.
+/// Reads an element of G from parameter_count<G> numbers. Does not normalise it.
 template <HasParameterLayout G>
 [[nodiscard]] inline G read_parameters(const ScalarOf<G>* numbers) {
   return ParameterLayout<G>::read(numbers);
@@ -73,7 +72,7 @@ struct ParameterLayout<Sophus::SO2<Scalar>> {
 
   static G read(const Scalar* numbers) { return rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
   static void write(const G& x, Scalar* numbers) { Eigen::Map<Vector2<Scalar>>{numbers} = x.unit_complex(); }
-  /// i z
+  /// i z, where z is the unit complex number of x.
   static Vector2<Scalar> tangent_to_parameters(const G& x) { return quarter_turn<Scalar>(x.unit_complex()); }
   static Eigen::Matrix<Scalar, 1, 2> parameters_to_tangent(const G& x) { return tangent_to_parameters(x).transpose(); }
 };
@@ -200,7 +199,7 @@ struct ParameterLayout<Product<F...>> {
   }
 
  private:
-  // f<I, Factor>(row), row being where the numbers of the factor begin.
+  // Calls f<I, Factor>(row) for each factor; `row` is the index of its first number.
   static void for_each_factor(const auto& f) {
     [&]<std::size_t... Index>(std::index_sequence<Index...>) {
       int row = 0;

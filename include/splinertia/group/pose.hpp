@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Poses T_WB in three dimensions, whichever group they are kept in: SO(3) × R³ (rotation and position apart) or SE(3).
+/// Poses T_WB in three dimensions, on either of two groups: SO(3) × R³ (rotation and position apart) or SE(3).
 #pragma once
 
 #include <concepts>
@@ -9,7 +9,7 @@
 
 namespace splinertia {
 
-/// Rotation and position, each a group of its own; tangents are [rotation; translation].
+/// Rotation and position as a product of two groups. Tangents are [rotation; translation].
 template <typename Scalar>
 using SO3xR3 = Product<Sophus::SO3<Scalar>, Vector3<Scalar>>;
 
@@ -42,7 +42,7 @@ template <Pose G>
   }
 }
 
-/// The pose of R_WB and p_WB.
+/// The pose with the rotation R_WB and the position p_WB.
 template <Pose G>
 [[nodiscard]] G make_pose(const Sophus::SO3<ScalarOf<G>>& R_WB, const Vector3<ScalarOf<G>>& p_WB) {
   if constexpr (SplitPose<G>) {

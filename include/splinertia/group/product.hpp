@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The direct product of Lie groups: everything works factor by factor.
+/// The direct product of Lie groups: every operation acts factor by factor.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class Product {
   template <std::size_t Index>
   using Factor = std::tuple_element_t<Index, std::tuple<G...>>;
 
-  /// Where the tangent of factor I begins in that of the product.
+  /// The first row of factor I in the tangent of the product.
   template <std::size_t Index>
   static constexpr int offset = [] {
     constexpr std::array<int, size> dof{DofOf<G>...};
@@ -126,7 +126,7 @@ struct GroupTraits<Product<G...>> {
         [&]<std::size_t Index, typename F>() { return GroupTraits<F>::left_jacobian_inverse(part<Index>(tau)); });
   }
 
-  /// The part of a tangent (or of any column of Dof rows) that belongs to factor I.
+  /// The rows of factor I in a tangent, or in any column of Dof rows.
   template <std::size_t Index>
   static auto part(const Vector& tau) {
     using F = typename P::template Factor<Index>;

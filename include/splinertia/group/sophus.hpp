@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Sophus' SO2, SO3, SE2 and SE3 as groups. Sophus supplies the types, which users already have; exp, log, products and
-/// Jacobians are this library's own (Sophus' lose digits near 0 and near π, and renormalise at each product).
+/// Sophus' SO2, SO3, SE2 and SE3 as groups. Only the types are Sophus'. exp, log, products and Jacobians are this
+/// library's own, because Sophus' lose digits near 0 and near π and renormalise at each product.
 ///
 /// Tangents are in Sophus' order: SE2 [x y θ], SE3 [translation; rotation].
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace splinertia {
 
-/// The Sophus rotation of a quaternion taken as it is: Sophus' own constructor would normalise it.
+/// The Sophus rotation with the quaternion q, which is not normalised (Sophus' own constructor would do so).
 template <typename Scalar>
 [[nodiscard]] inline Sophus::SO3<Scalar> rotation_from_unit_quaternion(const Eigen::Quaternion<Scalar>& q) {
   Sophus::SO3<Scalar> R;
@@ -24,7 +24,7 @@ template <typename Scalar>
   return R;
 }
 
-/// The Sophus rotation of a complex number taken as it is.
+/// The Sophus rotation with this complex number, which is not normalised.
 template <typename Scalar>
 [[nodiscard]] inline Sophus::SO2<Scalar> rotation_from_unit_complex(const Scalar& real, const Scalar& imaginary) {
   Sophus::SO2<Scalar> R;
@@ -33,7 +33,7 @@ template <typename Scalar>
   return R;
 }
 
-/// ||v| − 1|, how far the numbers of a rotation have drifted.
+/// ||v| − 1|: how far the numbers of a rotation have drifted from unit length.
 template <typename Vector>
 [[nodiscard]] inline auto distance_from_one(const Vector& v) {
   using std::abs;
@@ -66,7 +66,7 @@ struct GroupTraits<Sophus::SO2<Real>> {
   }
   static Vector adjoint(const G&, const Vector& tau) { return tau; }
   static Vector bracket(const Vector&, const Vector&) { return Vector::Zero(); }
-  /// The sine is taken of a and b − a, so that it is exact for close a and b.
+  /// The sine is computed from a and b − a; the difference is exact for close a and b.
   static Vector increment(const G& x, const G& y) {
     using std::atan2;
     const auto& a = x.unit_complex();
@@ -154,7 +154,7 @@ struct GroupTraits<Sophus::SE2<Real>> {
     const Vector2<Real> rho = quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
     return {rho.x(), rho.y(), Real(0)};
   }
-  /// The translations are subtracted in the world, where that is exact for close x and y.
+  /// Subtracts the translations in the world, where the difference is exact for close x and y.
   static Vector increment(const G& x, const G& y) {
     return logarithm(turn(SO2::inverse(x.so2()), y.translation() - x.translation()),
                      SO2::increment(x.so2(), y.so2())[0]);
@@ -225,7 +225,7 @@ struct GroupTraits<Sophus::SE3<Real>> {
     const Vector3<Real> rho_b = b.template head<3>(), phi_b = b.template tail<3>();
     return join(phi_a.cross(rho_b) + rho_a.cross(phi_b), phi_a.cross(phi_b));
   }
-  /// The translations are subtracted in the world, where that is exact for close x and y, however large they are.
+  /// Subtracts the translations in the world, where the difference is exact for close x and y, however large they are.
   static Vector increment(const G& x, const G& y) {
     const auto& q = x.unit_quaternion();
     return logarithm(rotate_inverse<Real>(q, y.translation() - x.translation()),
@@ -260,7 +260,7 @@ struct GroupTraits<Sophus::SE3<Real>> {
     x.translation() = t;
     return x;
   }
-  // Number by number: g++ 12 warns of array bounds that packets of a 3-vector would cross, but do not.
+  // Element by element: for SIMD packets of a 3-vector, g++ 12 warns of array bounds that are not exceeded.
   static Vector join(const Vector3<Real>& rho, const Vector3<Real>& phi) {
     Vector tau;
     for (int i = 0; i < 3; ++i) {

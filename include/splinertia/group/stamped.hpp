@@ -6,7 +6,7 @@
 
 namespace splinertia {
 
-/// A group element at a time: one line of a trajectory. Time is `double` seconds or a std::chrono::duration.
+/// A group element with a time stamp: one line of a trajectory. Time is `double` seconds or a std::chrono::duration.
 template <LieGroup G, typename Time = std::chrono::nanoseconds>
 struct Stamped {
   Time time;

@@ -8,8 +8,9 @@
 
 namespace splinertia {
 
-/// f(first row, number of rows) for each run of a tangent vector that is of one unit: translation and rotation of a
-/// rigid motion, and the factors of a product one by one. Known are types with Sophus' accessors so3() and so2().
+/// Calls f(first row, number of rows) for each part of a tangent vector that has one unit: translation and rotation of
+/// a rigid motion, and the parts of each factor of a product. It recognises types with Sophus' accessors so3() and
+/// so2().
 template <LieGroup G>
 struct TangentUnits {
   static void for_each(const auto& f) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The same group over another scalar: float for double, ceres::Jet for derivatives, Lanes for several elements at
-/// once.
+/// The same group over another scalar: float for double, ceres::Jet for derivatives, Lanes (a SIMD pack) for several
+/// elements at once.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace splinertia {
 
-/// Specialise for a group G of which exp_of_fraction(), compose() and the Adjoint work for any scalar S, without
-/// branching on one: `using type` is the same group over S, whose elements are kept in numbers in the same order
+/// Customisation point. Specialise it for a group G whose exp_of_fraction(), compose() and Adjoint work for any scalar
+/// S without branching on one. `using type` is the same group over S, with the same numbers in the same order
 /// (ParameterLayout).
 template <typename G, typename S>
 struct WithScalarOf {};
@@ -36,11 +36,11 @@ struct WithScalarOf<Product<F...>, S> {
 template <typename G, typename S>
 using WithScalar = typename WithScalarOf<G, S>::type;
 
-/// G over lanes is a group, too.
+/// G also works over the SIMD pack L.
 template <typename G, typename L>
 concept HasLanes = HasParameterLayout<G> && requires { typename WithScalarOf<G, L>::type; };
 
-/// x in numbers of type S, each rounded once: in all lanes, where S is Lanes.
+/// x with numbers of type S, each rounded once. If S is Lanes, every lane holds x.
 template <typename S, HasParameterLayout G>
   requires requires { typename WithScalarOf<G, S>::type; }
 [[nodiscard]] inline WithScalar<G, S> with_scalar(const G& x) {

@@ -13,7 +13,7 @@
 
 namespace splinertia {
 
-/// What an error model is of, which decides about units.
+/// What an error model belongs to, which decides its units.
 enum class SensorKind { gyro, accel, clock };
 
 /// A unit as text: "rad/s^2/sqrt(Hz)".
@@ -63,7 +63,7 @@ template <ErrorTerm Term>
   return text;
 }
 
-/// The terms of a model in their order, a line each; "ideal" for none.
+/// The terms of a model in their order, one line each; "ideal" if there are none.
 template <typename... Terms>
 [[nodiscard]] std::string describe(const ErrorModel<Terms...>& model, SensorKind kind) {
   if (sizeof...(Terms) == 0) return "ideal\n";
@@ -71,7 +71,7 @@ template <typename... Terms>
                     model.terms());
 }
 
-/// All that an IMU does wrong, a line for each term.
+/// All errors of an IMU, one line per term.
 template <typename Gyro, typename Accel, typename Stamps>
 [[nodiscard]] std::string describe(const Imu<Gyro, Accel, Stamps>& imu) {
   const auto indented = [](const char* title, std::string lines) {

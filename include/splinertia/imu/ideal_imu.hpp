@@ -14,10 +14,10 @@ template <typename Scalar>
   return {Scalar(0), Scalar(0), Scalar(-980665) / Scalar(100000)};
 }
 
-/// Where the IMU is mounted when it is not the body frame itself.
+/// The mounting of an IMU that is not at the body frame itself.
 template <typename Scalar>
 struct LeverArm {
-  Sophus::SO3<Scalar> R_BI;  ///< takes vectors in the IMU's axes to the body's
+  Sophus::SO3<Scalar> R_BI;  ///< rotates vectors from the IMU's axes to the body's
   Vector3<Scalar> p_BI;      ///< the IMU's origin in the body, m
 };
 
@@ -32,8 +32,8 @@ template <Pose G, int D>
   return {angular_velocity(motion), specific_force(motion, gravity)};
 }
 
-/// The measurement of an IMU on a lever arm l: to the specific force at the body's origin it adds the Euler term α × l
-/// and the centripetal term ω × (ω × l), and turns both readings into the IMU's axes. Savage, Strapdown Analytics
+/// The measurement of an IMU on a lever arm l. It adds the Euler term α × l and the centripetal term ω × (ω × l) to the
+/// specific force at the body's origin, and rotates both readings into the IMU's axes. Savage, Strapdown Analytics
 /// (2000), 7.1.
 template <Pose G, int D>
   requires(D >= 2)

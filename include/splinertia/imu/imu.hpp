@@ -7,11 +7,11 @@
 
 namespace splinertia {
 
-/// Whether a type is an error term, which an ErrorModel must be written around.
+/// Whether a type is a bare error term, which needs an ErrorModel around it.
 template <typename T>
 inline constexpr bool is_term = ErrorTerm<T> && !SensorModel<T> && !ClockModel<T>;
 
-/// The errors of an IMU: of its two sensors, and of the stamps that its samples get. Imu{gyro, accel},
+/// The errors of an IMU: of its two sensors and of the time stamps of its samples. Write Imu{gyro, accel} or
 /// Imu{gyro, accel, stamps}.
 template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>, typename Stamps = ErrorModel<>>
 struct Imu {
@@ -52,7 +52,7 @@ struct BasicImuReading {
 
 using ImuReading = BasicImuReading<double, double>;
 
-/// One of an IMU whose stamps have errors, too.
+/// One simulated sample of an IMU whose stamps have errors, too.
 template <typename Scalar, TimePoint Time>
 struct StampedImuReading : BasicImuReading<Scalar, Time> {
   Time true_time;  ///< when the sample was taken

@@ -12,8 +12,8 @@
 
 namespace splinertia {
 
-/// Puts the errors of an IMU into measurements that a perfect one has made, one after the other: one run of one IMU.
-/// simulate() does this along a motion; this is for measurements that come from elsewhere, at any times.
+/// Puts the errors of an IMU into the measurements of a perfect one, in the order of time: one run of one IMU.
+/// simulate() does this along a motion; ImuErrors is for measurements from elsewhere, at any times.
 ///
 ///   ImuErrors<decltype(imu), double, double> errors(imu, StreamKey(seed));
 ///   ImuReading reading;
@@ -25,16 +25,16 @@ class ImuErrors {
  public:
   using Reading = std::conditional_t<has_stamps, StampedImuReading<Scalar, Time>, BasicImuReading<Scalar, Time>>;
 
-  /// `run` names the random numbers: StreamKey(seed), or part of one where a run has several IMUs.
+  /// `run` names the random numbers: StreamKey(seed), or a part of it if a run has several IMUs.
   [[gnu::always_inline]] ImuErrors(const Sensors& imu, StreamKey run)
       : ImuErrors(imu, imu.gyro.template start<Generator>(run / "gyro"),
                   imu.accel.template start<Generator>(run / "accel"),
                   imu.stamps.template start<Generator>(run / "stamps")) {}
 
-  /// Makes the reading of a measurement taken at `time`, `interval` s after the one before it (for the first: the
-  /// sampling interval). False where it is dropped; then `reading` is left as it was. Stamps increase strictly: one
-  /// that its errors would put before next_stamp() of the last is that. Requires interval > 0. Throws
-  /// std::invalid_argument for a stamp that is not finite.
+  /// Makes the reading of a measurement taken at `time`, `interval` s after the previous one (for the first: the
+  /// sampling interval). Returns false if the sample is dropped; `reading` is then unchanged. Stamps increase strictly:
+  /// a stamp that its errors would put before next_stamp() of the last one becomes next_stamp(). Requires interval > 0.
+  /// Throws std::invalid_argument for a stamp that is not finite.
   [[gnu::always_inline]] bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
                                     Reading& reading) {
     const bool first = first_;
@@ -76,8 +76,8 @@ class ImuErrors {
       "of floats");
   struct Nothing {};
 
-  // States are moved in, not made in place: what a function that is not inlined has had the address of can no longer be
-  // kept in registers.
+  // States are moved in, not constructed in place: once a function that is not inlined has had the address of a state,
+  // the state can no longer be kept in registers.
   [[gnu::always_inline]] ImuErrors(const Sensors& imu, GyroState gyro, AccelState accel, StampsState stamps)
       : imu_(imu), gyro_(std::move(gyro)), accel_(std::move(accel)), stamps_(std::move(stamps)) {}
 

@@ -13,13 +13,13 @@
 
 namespace splinertia {
 
-/// What a perfect IMU measures at one time, and where it was.
+/// What a perfect IMU measures at one time, and the body's pose.
 template <Pose G>
 struct ImuSampleAtPose : ImuMeasurement<ScalarOf<G>> {
   G pose;  ///< T_WB
 };
 
-/// What a perfect IMU measures at many times, with the poses that it was at: as sample_imu() gives it.
+/// What a perfect IMU measures at many times, with the poses of the body, as sample_imu() returns it.
 ///
 ///   const auto samples = sample_imu(curve, curve.start(), 0.001, 10000);
 ///   samples[17].gyro;                         // and .accel, .pose: of one sample
@@ -40,13 +40,13 @@ class ImuSamples {
   [[nodiscard]] SampleIterator<ImuSamples> begin() const { return {*this, 0}; }
   [[nodiscard]] SampleIterator<ImuSamples> end() const { return {*this, size()}; }
 
-  /// Angular velocity [rad/s] and specific force [m/s²] in B, 3 × size(): where they are kept, or of
-  /// a temporary, a copy.
+  /// Angular velocity (rad/s) and specific force (m/s²) in the IMU's axes (B without a lever arm), 3 × size(): a view
+  /// of the rows, or a copy if the object is a temporary.
   [[nodiscard]] auto gyro() const& { return rows_.template rows<3>(0); }
   [[nodiscard]] auto gyro() && { return std::move(rows_).template rows<3>(0); }
   [[nodiscard]] auto accel() const& { return rows_.template rows<3>(3); }
   [[nodiscard]] auto accel() && { return std::move(rows_).template rows<3>(3); }
-  /// The numbers of the poses (group/parameters.hpp), parameters × size().
+  /// The parameters of the poses (group/parameters.hpp), parameters × size().
   [[nodiscard]] auto pose() const& { return rows_.template rows<parameters>(6); }
   [[nodiscard]] auto pose() && { return std::move(rows_).template rows<parameters>(6); }
 
@@ -54,7 +54,7 @@ class ImuSamples {
    public:
     explicit Writer(ImuSamples& samples) : rows_(samples.rows_) {}
 
-    /// Sample i, or where H is G in lanes, those from i on.
+    /// Writes sample i or, if H is G over SIMD packs, the samples from i on.
     template <Pose H>
     void write(std::size_t i, const ImuMeasurement<ScalarOf<H>>& imu, const H& pose) const {
       FixedArray<ScalarOf<H>, parameters> numbers;
@@ -72,14 +72,14 @@ class ImuSamples {
   SampleRows<Scalar, 6 + parameters> rows_;
 };
 
-/// A lever arm in numbers of type S.
+/// The lever arm with numbers of type S.
 template <typename S, typename Scalar>
 [[nodiscard]] inline LeverArm<S> with_scalar(const LeverArm<Scalar>& arm) {
   return {splinertia::with_scalar<S>(arm.R_BI), splinertia::with_scalar<S>(arm.p_BI)};
 }
 
-/// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As
-/// sample_imu() below; with a LeverArm as the last argument what the IMU at its end measures.
+/// Computes samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant
+/// memory. With a LeverArm as the last argument, the IMU is mounted on it. All else as for sample_imu() below.
 template <typename C, typename... Arm>
   requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Arm) <= 1)
 void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
@@ -98,11 +98,11 @@ void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std:
   });
 }
 
-/// What a perfect IMU at the body's origin measures along a curve at `count` times from `start` on, `interval` apart,
-/// and the poses there: as ideal_imu() of evaluate<2>() at each of them gives, but several at once and several times as
-/// fast (spline/detail/lane_samples.hpp). `gravity`: acceleration of free fall in the world, m/s². Throws
-/// std::invalid_argument for an interval that is not positive, std::out_of_range for times that the curve is not
-/// defined at; the last may be behind its end by rounding.
+/// What a perfect IMU at the body's origin measures along a curve, and the poses, at `count` times from `start` on,
+/// `interval` apart. The results are those of ideal_imu() of evaluate<2>() at each time. For a LaneCurve (splines),
+/// several samples are computed at once, several times as fast (spline/detail/lane_samples.hpp). `gravity`:
+/// acceleration of free fall in the world, m/s². Throws std::invalid_argument unless the interval is positive. Throws
+/// std::out_of_range for times at which the curve is not defined; the last may exceed its end by rounding.
 template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
 [[nodiscard]] ImuSamples<typename C::Group> sample_imu(
@@ -113,7 +113,7 @@ template <typename C>
   return samples;
 }
 
-/// The same of an IMU on a lever arm (ideal_imu.hpp); the poses are the body's.
+/// The same for an IMU on a lever arm (ideal_imu.hpp). The poses are those of the body.
 template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
 [[nodiscard]] ImuSamples<typename C::Group> sample_imu(const C& curve, typename C::Time start,

@@ -28,16 +28,16 @@ namespace splinertia {
 
 template <typename Scalar, TimePoint Time>
 struct SimulationOptions {
-  double rate = 200;                                     ///< samples a second, Hz
+  double rate = 200;                                     ///< samples per second, Hz
   std::uint64_t seed = 0;                                ///< of the run; the same seed gives the same samples
-  std::uint64_t imu = 0;                                 ///< which of several in the run: each has errors of its own
+  std::uint64_t imu = 0;                                 ///< number of the IMU in the run: each has its own errors
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
-  std::optional<Time> start{};                           ///< of the first sample; default: where the motion starts
-  std::optional<Time> end{};                             ///< no sample after it; default: where the motion ends
+  std::optional<Time> start{};                           ///< of the first sample; default: start of the motion
+  std::optional<Time> end{};                             ///< no sample after it; default: end of the motion
 };
 
-/// The samples of an IMU on a moving body: a range that makes each sample when it is reached, in constant memory, and
-/// from the first one again at each begin(). See simulate().
+/// The samples of an IMU on a moving body: a range that computes each sample when it is reached, in constant memory.
+/// Each begin() starts again at the first sample. See simulate().
 template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256>
 class Simulation {
  public:
@@ -77,7 +77,7 @@ class Simulation {
     size_ = count_samples();
   }
 
-  /// The number of samples taken: both ends are sampled where they fall on one. Fewer arrive where some are dropped.
+  /// The number of samples taken. Both ends are sampled if they fall on a sample. Dropped samples are counted, too.
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Trajectory& motion() const { return motion_; }
 
@@ -105,7 +105,7 @@ class Simulation {
     [[nodiscard, gnu::always_inline]] bool operator==(std::default_sentinel_t) const { return index_ == size_; }
 
    private:
-    // The next one from index_ on that arrives.
+    // Makes the next sample from index_ on that is not dropped.
     [[gnu::always_inline]] void sample() {
       const Simulation& s = *simulation_;
       for (; index_ < size_; ++index_) {
@@ -147,18 +147,18 @@ class Simulation {
   };
 
   [[nodiscard, gnu::always_inline]] Iterator begin() const {
-    // Moved out of what a function that is not inlined has had the address of: see ImuErrors.
+    // Moved, because a function that is not inlined has had the address of `first`: see ImuErrors.
     Iterator first = first_sample();
     return Iterator(std::move(first));
   }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
 
-  /// When sample i is taken: counted from the start, so that no rounding adds up. Requires i < size().
+  /// The time of sample i, computed from the start so that rounding does not accumulate. Requires i < size().
   [[nodiscard]] Time time(std::size_t i) const {
     Time t = start_;
     if constexpr (std::floating_point<Time>) {
       t += static_cast<Time>(elapsed(i));
-    } else {  // as after(), less its checks, which count_samples() has made
+    } else {  // as after(), without its checks, which count_samples() has made
       using Ticks = std::chrono::duration<double, typename Time::period>;
       t +=
           Time(static_cast<typename Time::rep>(std::llround(Ticks(std::chrono::duration<double>(elapsed(i))).count())));
@@ -167,15 +167,15 @@ class Simulation {
   }
 
  private:
-  // Not inlined, so that loops over the samples have the code that makes one only once.
+  // Not inlined, so that loops over the samples contain the code of a sample only once.
   [[nodiscard, gnu::noinline]] Iterator first_sample() const { return Iterator(*this); }
 
-  // From the start to sample i, s.
+  // The time from the start to sample i, s.
   [[nodiscard]] double elapsed(std::size_t i) const {
     return static_cast<double>(static_cast<std::ptrdiff_t>(i)) / rate_;
   }
 
-  // Both ends, where they fall on a sample.
+  // Counts both ends if they fall on a sample.
   [[nodiscard]] std::size_t count_samples() const {
     constexpr double most = (std::min)(0x1p53, static_cast<double>((std::numeric_limits<std::ptrdiff_t>::max)()));
     check_span("simulate", "samples", start_, end_);
@@ -184,20 +184,20 @@ class Simulation {
       refuse<std::invalid_argument>("simulate: ", rate_, " Hz for ", duration, " s makes ", intervals,
                                     " samples, expected fewer than ", most);
     }
-    // A sample that rounding alone puts behind the end still belongs to the run.
+    // A sample that only rounding puts past the end still belongs to the run.
     const auto size = static_cast<std::size_t>(intervals * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1;
     if (size > 1 && !(1 / rate_ >= resolution())) {
       refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected samples at least ", resolution(),
                                     " s apart, which the clock can tell from each other");
     }
-    static_cast<void>(after(start_, elapsed(size - 1)));  // throws unless Time holds it, and so all before it
+    static_cast<void>(after(start_, elapsed(size - 1)));  // throws unless Time holds the last time, and so all
     return size;
   }
 
-  // By how much times of the run must differ to be different numbers, s.
+  // The smallest difference that keeps two times of the run different numbers, s.
   [[nodiscard]] double resolution() const {
     if constexpr (std::floating_point<Time>) {
-      // Three roundings of elapsed time and sum, each of two times: below 4 units in the last place.
+      // Each of two times is rounded three times (elapsed time, sum): together below 4 units in the last place.
       return static_cast<double>(4 * std::numeric_limits<Time>::epsilon() *
                                  (std::max)(std::abs(start_), std::abs(end_)));
     } else {
@@ -209,7 +209,7 @@ class Simulation {
     return flattened<Scalar>([this, time] { return ideal_imu(motion_.template evaluate<2>(time), gravity_); });
   }
 
-  // Throws if the motion gives what is not finite at one of the samples first … first + count − 1.
+  // Throws if the motion gives a reading that is not finite at one of the samples first … first + count − 1.
   [[gnu::cold, gnu::noinline]] void check(std::size_t first, std::size_t count) const {
     for (std::size_t i = first; i < first + count; ++i) {
       const ImuMeasurement<Scalar> m = ideal(time(i));
@@ -222,7 +222,7 @@ class Simulation {
       }
     }
   }
-  // Does not return, so that nothing of the loop that calls it needs to outlive the call.
+  // Does not return, so that the calling loop keeps nothing alive across the call.
   [[noreturn, gnu::cold, gnu::noinline]] void refuse_sample(std::size_t i) const {
     check(i, 1);
     refuse<std::invalid_argument>("simulate: the motion gives readings whose sum overflows at sample ", i, ", time ",
@@ -240,16 +240,17 @@ class Simulation {
   std::size_t size_;
 };
 
-/// What an IMU in the body frame measures along a motion, with the error terms of `sensors`:
+/// What an IMU in the body frame measures along a motion, with the errors of `sensors`:
 ///
 ///   for (const auto& r : simulate(curve, Imu{gyro, accel}, {.rate = 200, .seed = 42})) …
 ///
-/// with r.time, r.gyro, r.accel, r.gyro_bias, r.accel_bias, and r.true_time where the stamps have errors. Random
-/// numbers come from Generator, any uniform random bit generator: simulate<std::mt19937_64>(…). A motion passed as an
-/// lvalue is referred to and must outlive the simulation; a temporary is kept inside.
-/// Throws std::invalid_argument for a rate that is not positive and finite or too high for the clock to tell samples
-/// apart, gravity that is not finite, times outside the motion, or no bounds; while it runs for a motion that gives
-/// readings that are not finite, and for stamps that are not.
+/// Each sample has r.time, r.gyro, r.accel, r.gyro_bias, r.accel_bias, and r.true_time if the stamps have errors.
+/// Random numbers come from Generator, any uniform random bit generator: simulate<std::mt19937_64>(…). A motion passed
+/// as an lvalue is kept by reference and must outlive the simulation; a temporary is moved into it.
+/// Throws std::invalid_argument for a rate that is not positive and finite or that is too high for the clock to tell
+/// samples apart, for gravity that is not finite, for times outside the motion, and for a motion without bounds if
+/// start or end is missing. While it runs, throws it if the motion gives a reading, or the errors a stamp, that is not
+/// finite.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
 [[nodiscard]] Simulation<Motion, Sensors, Generator> simulate(

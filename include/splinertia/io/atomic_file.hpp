@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Writing a file that is there complete or not at all.
+/// Writes a file that either appears complete or not at all.
 #pragma once
 
 #include <chrono>
@@ -19,22 +19,21 @@
 
 namespace splinertia {
 
-/// Writes a file that appears with commit(). Until then, and for ever if an exception or a signal comes in between, the
-/// old file is as it was, and nothing of the new one is left (where the system has no files without names, a signal
-/// leaves `.splinertia.NUMBER.tmp`). Only a power failure within seconds of commit() can still lose both, because
-/// nothing is forced to the disk.
+/// Writes a file that appears with commit(). If an exception or a signal comes first, the old file stays as it was and
+/// nothing is left of the new one. (On systems without nameless files, a signal leaves `.splinertia.NUMBER.tmp`.) Only
+/// a power failure within seconds of commit() can lose both, because nothing is forced to the disk.
 ///
 ///   AtomicFile file("out.txt");
 ///   file.append_real(0.1);
 ///   file.append('\n');
 ///   file.commit();
 ///
-/// Numbers are formatted straight into one buffer and read back to the same bits. The file gets the permissions of the
-/// one that it replaces; other hard links to that one keep the old text. Every member throws WriteError, a
-/// std::runtime_error, with path and reason when the system refuses: disk full, …
+/// Numbers are formatted directly into one buffer and read back to the same bits. The file gets the permissions of the
+/// one that it replaces. Other hard links to that one keep the old text. Every member throws WriteError, a
+/// std::runtime_error, with path and reason if the system cannot write: disk full, …
 class AtomicFile {
  public:
-  /// Symbolic links are followed. Throws std::runtime_error if the path cannot be written: it is no regular file
+  /// Symbolic links are followed. Throws std::runtime_error if the path cannot be written: it is not a regular file
   /// (/dev/stdout), it is read-only, there is no such folder, …
   explicit AtomicFile(const std::filesystem::path& path) : file_(path) {}
 
@@ -59,15 +58,15 @@ class AtomicFile {
   /// Seconds with nine decimals, exactly.
   void append_seconds(std::chrono::nanoseconds time) { advance(seconds_to_chars(room(number_text_size), time)); }
 
-  /// Room for `size` characters at the end of the file, to be written by the caller, who then says with advance() where
-  /// they end. Valid until the next call of any other member.
+  /// Room for `size` characters at the end of the file. The caller writes them and then calls advance() with their end.
+  /// Valid until the next call of any other member.
   [[nodiscard]] char* room(std::size_t size) {
     reserve(size);
     return end_;
   }
   void advance(char* end) { end_ = end; }
 
-  /// Gives up and throws what append_real throws for a number that is not finite.
+  /// Drops the file and throws what append_real throws for a number that is not finite.
   [[noreturn]] void refuse(double value) {
     char text[number_text_size];
     const std::string_view name(text, static_cast<std::size_t>(real_to_chars(text, value) - text));
@@ -75,25 +74,25 @@ class AtomicFile {
     throw std::invalid_argument(message(path().string(), ": cannot write ", name, ", expected a finite number"));
   }
 
-  /// Replaces the beginning of the file, at least as long, by a text of its size.
+  /// Overwrites the first text.size() characters of the file. Requires that the file is at least as long.
   void overwrite_begin(std::string_view text) {
     flush();
     file_.overwrite_begin(text);
   }
 
-  /// Writes what is buffered and puts the file in the target's place. Whatever is appended afterwards throws.
+  /// Writes what is buffered and replaces the target by the file. Appending afterwards throws.
   void commit() {
     complete();
     file_.publish();
   }
 
-  /// The same, but the file appears with the others of the set.
+  /// The same, but the file appears when the set is committed.
   void commit(FileSet& set) {
     complete();
     set.add(file_.release());
   }
 
-  /// Gives up: drops the new file. From then on, as after any error, whatever is appended or committed throws.
+  /// Drops the new file. Appending and committing then throw, as after any error.
   void abandon() noexcept {
     close();
     file_.discard();
@@ -122,7 +121,7 @@ class AtomicFile {
     close();
     file_.complete();
   }
-  /// Says that the buffer is full: whatever is appended is given to file_ at once, which refuses it.
+  /// Marks the buffer as full, so that anything appended goes to file_ at once, which throws.
   void close() noexcept { end_ = buffer_.get() + capacity_; }
 
   detail::PendingFile file_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The files of a EuRoC sequence. euroc_imu.hpp by itself does without Sophus.
+/// The files of a EuRoC sequence. euroc_imu.hpp alone does not need Sophus.
 #pragma once
 
 #include <splinertia/io/euroc_groundtruth.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Ground truth as the EuRoC MAV dataset (ASL format) writes it: lines `ns,px,py,pz,qw,qx,qy,qz`, then velocity and
-/// biases or nothing. Burri et al., "The EuRoC micro aerial vehicle datasets", IJRR 2016.
+/// Ground truth in the ASL format of the EuRoC MAV dataset: lines `ns,px,py,pz,qw,qx,qy,qz`, with or without velocity
+/// and biases behind them. Burri et al., "The EuRoC micro aerial vehicle datasets", IJRR 2016.
 #pragma once
 
 #include <Eigen/Core>
@@ -52,7 +52,7 @@ inline const TableLayout euroc_groundtruth_layout{.format = "EuRoC ground truth"
                                                   .separator = ',',
                                                   .header = true};
 
-/// The same, also without velocity and biases.
+/// The same; velocity and biases may be missing.
 inline const TableLayout euroc_poses_layout = [] {
   TableLayout layout = euroc_groundtruth_layout;
   layout.fewest_columns = 8;
@@ -64,8 +64,8 @@ inline const TableLayout euroc_poses_layout = [] {
   return {track.next(row, {row[4], row[5], row[6], row[7]}), row.vector(1)};
 }
 
-/// The states of a EuRoC ground truth file of 17 columns, separated by commas or blanks. Quaternions become unit and of
-/// continuous sign (QuaternionTrack). Throws std::runtime_error with file:line for the first thing wrong
+/// Reads the states of a EuRoC ground truth file of 17 columns, separated by commas or blanks. Quaternions are
+/// normalised and get continuous signs (QuaternionTrack). Throws std::runtime_error with file:line for the first error
 /// (StampedTable).
 [[nodiscard]] inline std::vector<EurocState> read_euroc_groundtruth(const std::filesystem::path& path) {
   return read_stamped_table(
@@ -74,22 +74,21 @@ inline const TableLayout euroc_poses_layout = [] {
       });
 }
 
-/// The poses T_WB [m] of a EuRoC ground truth file of 8 or 17 columns; as read_euroc_groundtruth.
+/// Reads the poses T_WB [m] of a EuRoC ground truth file of 8 or 17 columns, otherwise as read_euroc_groundtruth.
 [[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_euroc_poses(const std::filesystem::path& path) {
   return read_stamped_table(path, euroc_poses_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
     return Stamped<SO3xR3<double>>{row.time(), euroc_pose(row, track)};
   });
 }
 
-/// Writes EuRoC ground truth of 17 columns state by state, in constant memory; the file appears with commit() and reads
-/// back to the same bits. Members throw std::runtime_error if the file cannot be written, std::invalid_argument for
+/// Writes EuRoC ground truth of 17 columns state by state, in constant memory. The file appears with commit() and reads
+/// back to the same bits. Members throw std::runtime_error if the file cannot be written, and std::invalid_argument for
 /// what read_euroc_groundtruth would refuse: no states, NaN, times that do not increase.
 class EurocGroundtruthWriter {
  public:
   explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, euroc_groundtruth_layout) {}
 
-  /// One state: an EurocState or anything with its members, whichever kind of time (WithTime) and of pose of doubles it
-  /// keeps.
+  /// One state: an EurocState or any type with its members. The time may be any WithTime, the pose any pose of doubles.
   void append(const WithTime auto& state) {
     const Eigen::Quaterniond& q = rotation(state.pose).unit_quaternion();
     table_.append(state.time, position(state.pose), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,
@@ -103,7 +102,7 @@ class EurocGroundtruthWriter {
   StampedTableWriter table_;
 };
 
-/// Writes all states of a range; as EurocGroundtruthWriter.
+/// Writes all states of a range, as EurocGroundtruthWriter does.
 template <std::ranges::input_range States>
 void write_euroc_groundtruth(const std::filesystem::path& path, States&& states) {
   EurocGroundtruthWriter writer(path);

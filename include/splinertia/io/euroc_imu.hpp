@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// IMU samples as the EuRoC MAV dataset (ASL format) writes them: lines `ns,wx,wy,wz,ax,ay,az`.
+/// IMU samples in the ASL format of the EuRoC MAV dataset: lines `ns,wx,wy,wz,ax,ay,az`.
 /// Burri et al., "The EuRoC micro aerial vehicle datasets", IJRR 2016.
 #pragma once
 
@@ -34,15 +34,15 @@ inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
                                           .separator = ',',
                                           .header = true};
 
-/// The samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with file:line
-/// for the first thing wrong (StampedTable).
+/// Reads the samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with
+/// file:line for the first error (StampedTable).
 [[nodiscard]] inline std::vector<EurocImu> read_euroc_imu(const std::filesystem::path& path) {
   return read_stamped_table(path, euroc_imu_layout,
                             [](const StampedTable& row) { return EurocImu{row.time(), row.vector(1), row.vector(4)}; });
 }
 
-/// Writes a EuRoC IMU file sample by sample, in constant memory; the file appears with commit() and reads back to the
-/// same bits. Members throw std::runtime_error if the file cannot be written, std::invalid_argument for what
+/// Writes a EuRoC IMU file sample by sample, in constant memory. The file appears with commit() and reads back to the
+/// same bits. Members throw std::runtime_error if the file cannot be written, and std::invalid_argument for what
 /// read_euroc_imu would refuse: no samples, NaN, times that do not increase.
 class EurocImuWriter {
  public:
@@ -51,7 +51,7 @@ class EurocImuWriter {
   /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
   void append(const WithTime auto& sample) { table_.append(sample.time, sample.gyro, sample.accel); }
 
-  /// A line that read_euroc_imu passes over, `# ` and the text, where the next sample comes.
+  /// Writes a line that read_euroc_imu skips, `# ` and the text, before the next sample.
   void comment(std::string_view text) { table_.comment(text); }
 
   /// Completes the file. It appears now, or together with the others of a set.
@@ -61,7 +61,7 @@ class EurocImuWriter {
   StampedTableWriter table_;
 };
 
-/// Writes all samples of a range; as EurocImuWriter.
+/// Writes all samples of a range, as EurocImuWriter does.
 template <std::ranges::input_range Samples>
 void write_euroc_imu(const std::filesystem::path& path, Samples&& samples) {
   EurocImuWriter writer(path);

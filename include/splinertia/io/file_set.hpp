@@ -18,13 +18,13 @@
 
 namespace splinertia {
 
-/// Puts files in place together. What is killed in between never leaves old and new files side by side:
+/// Replaces several files together. Even if the program is killed in between, old and new files never mix:
 ///
 /// 1. the old files are removed, that of the last name first,
 /// 2. the new ones appear in the order in which they were committed to the set.
 ///
-/// Thus a set is complete if and only if the file that was committed last is there. Until commit(), and for ever if an
-/// exception or a signal comes in between, the old files are as they were.
+/// So a set is complete if and only if the file that was committed to it last exists. If an exception or a signal comes
+/// before commit(), the old files stay as they were.
 ///
 ///   FileSet set;
 ///   AtomicFile noise("noise.csv"), curves("curves.csv");
@@ -33,15 +33,15 @@ namespace splinertia {
 ///   noise.commit(set);    // readers look for this one
 ///   set.commit();
 ///
-/// What a run reads is kept: a set neither replaces nor removes it.
+/// Files that a run reads can be kept: a set neither replaces nor removes them.
 ///
 ///   set.keep("imu.csv");
 ///   AtomicFile("./imu.csv").commit(set);    // throws
 ///
-/// Two sets that are committed at the same time to the same paths must be kept apart by the caller.
+/// The caller has to ensure that no two sets are committed to the same paths at the same time.
 class FileSet {
  public:
-  /// What a file on the disk is known by.
+  /// Identifies a version of a file on the disk.
   struct Version {
     std::uintmax_t size;
     std::filesystem::file_time_type time;  // of the last change
@@ -52,7 +52,7 @@ class FileSet {
     return {std::filesystem::file_size(path), std::filesystem::last_write_time(path)};
   }
 
-  /// A file of the set: the path that its writer was given, and what it is going to be there.
+  /// A file of the set: the path that its writer was given, and the version that will be there.
   struct Member {
     std::filesystem::path path;
     Version version;
@@ -63,26 +63,27 @@ class FileSet {
     return result;
   }
 
-  /// Keeps a file that the run reads, whatever path leads to it: add() refuses to replace it and remove() leaves it. To
-  /// be called before these. What is no file (a pipe, a name that stands for something else) may be given, too.
+  /// Keeps a file that the run reads, whatever path leads to it: add() refuses to replace it and remove() leaves it.
+  /// Call it before these. A path at which there is no regular file (a pipe, a placeholder) is allowed.
   void keep(std::filesystem::path path) { kept_.push_back(std::move(path)); }
 
-  /// Whether a path leads to a file that is kept: it may be spelled otherwise, a symbolic link or another hard link.
+  /// Whether a path leads to a kept file, also in another spelling, by a symbolic link or by another hard link.
   [[nodiscard]] bool keeps(const std::filesystem::path& path) const {
-    std::error_code ignored;  // of paths where there is nothing
+    std::error_code ignored;  // for paths at which there is nothing
     return std::any_of(kept_.begin(), kept_.end(),
                        [&](const auto& kept) { return std::filesystem::equivalent(kept, path, ignored); });
   }
 
-  /// For programs, before the long work. Throws std::invalid_argument if the file is kept, with what was `expected`.
+  /// Throws std::invalid_argument if the file is kept; the message ends with what was `expected`. Programs call it
+  /// before a long computation.
   void expect_not_kept(const std::filesystem::path& path, std::string_view expected = "another path") const {
     if (!keeps(path)) return;
     throw std::invalid_argument(
         message(path.string(), ": is read by this run and would be replaced by it, expected ", expected));
   }
 
-  /// Takes a complete file. Called by the commit(FileSet&) of writers. Throws std::invalid_argument if the set has one
-  /// of this path, or if the file there is kept.
+  /// Takes a complete file. Called by commit(FileSet&) of writers. Throws std::invalid_argument if the set already has
+  /// a file for this path, or if the file there is kept.
   void add(detail::PendingFile file) {
     expect_not_kept(file.given());
     const auto path = std::filesystem::weakly_canonical(file.target());
@@ -93,7 +94,7 @@ class FileSet {
     files_.push_back(std::move(file));
   }
 
-  /// A file that an earlier run has left and that this one does not have: commit() removes it, unless it is kept.
+  /// Names a file of an earlier run that this one does not write: commit() removes it, unless it is kept.
   void remove(std::filesystem::path path) {
     if (!keeps(path)) left_over_.push_back(std::move(path));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// NumPy's .npy files, format 1.0, of one-dimensional arrays of records: a header, then the records one after the
+/// NumPy's .npy files, format 1.0, with one-dimensional arrays of records: a header, then the records one after the
 /// other. https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 #pragma once
 
@@ -25,11 +25,12 @@
 
 namespace splinertia {
 
-/// What begins the file: magic, version 1.0 and, behind it, two bytes of length.
+/// The beginning of a file: magic and version 1.0. Two bytes with the length of the rest of the header follow.
 inline constexpr std::string_view npy_magic{"\x93NUMPY\x01\x00", 8};
 inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
 
-/// The bytes before the records. As many for each number of rows, so that it can be written when they are counted.
+/// The bytes before the records. Their number does not depend on `rows`, so that the header can be overwritten when all
+/// rows are counted.
 [[nodiscard]] inline std::string npy_header(std::string_view dtype, std::uint64_t rows) {
   constexpr std::size_t alignment = 64, longest_shape = std::numeric_limits<std::uint64_t>::digits10 + 1;
   std::string dict = message("{'descr': ", dtype, ", 'fortran_order': False, 'shape': (");
@@ -45,8 +46,8 @@ inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
   return header + dict;
 }
 
-/// A Python literal with the blanks between its parts left out, quotation marks single and no comma before ] or }, so
-/// that what writers are free in does not matter.
+/// A Python literal in a normal form that does not depend on the writer: no blanks between its parts, single quotation
+/// marks, no comma before ] or }.
 [[nodiscard]] inline std::string plain_literal(std::string_view literal) {
   std::string plain;
   char quote = 0;
@@ -63,7 +64,7 @@ inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
   return plain;
 }
 
-/// The value of a key in a plain_literal of a dict, "" if it is not there.
+/// The value of a key in the plain_literal() of a dict, "" if it is not there.
 [[nodiscard]] inline std::string_view dict_entry(std::string_view dict, std::string_view key) {
   if (!dict.starts_with('{')) return {};
   int depth = 0;
@@ -87,8 +88,8 @@ inline constexpr std::size_t npy_preamble = npy_magic.size() + 2;
   return {};
 }
 
-/// Writes records one after the other, in constant memory; the file appears with commit(). Throws std::runtime_error
-/// when the system refuses.
+/// Writes records one after the other, in constant memory. The file appears with commit(). Members throw
+/// std::runtime_error if the file cannot be written.
 class NpyWriter {
  public:
   /// `dtype` as NumPy writes it, such as "[('time_ns', '<i8'), ('value', '<f8')]".
@@ -96,22 +97,22 @@ class NpyWriter {
     file_.append(npy_header(dtype_, 0));
   }
 
-  /// Room for a record, to be written by the caller, who then says with advance() where it ends.
+  /// Room for a record. The caller writes it and then calls advance() with its end.
   [[nodiscard]] char* room(std::size_t size) { return file_.room(size); }
   void advance(char* end) {
     file_.advance(end);
     ++rows_;
   }
 
-  /// Completes the file; std::invalid_argument if it has no records. It appears now, or together with the others of a
-  /// set.
+  /// Completes the file. It appears now, or together with the others of a set. Throws std::invalid_argument if there
+  /// are no records.
   void commit(std::same_as<FileSet> auto&... set) {
     if (rows_ == 0) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
     file_.overwrite_begin(npy_header(dtype_, rows_));
     file_.commit(set...);
   }
 
-  /// To give up.
+  /// For abandon().
   [[nodiscard]] AtomicFile& file() { return file_; }
 
  private:
@@ -120,9 +121,9 @@ class NpyWriter {
   std::uint64_t rows_ = 0;
 };
 
-/// Reads a file of records of one dtype. Throws std::runtime_error "path: byte …" or "path: row …" (from 0, as NumPy
-/// counts) with what was found and expected, for the first thing wrong: magic, version, dtype, order of the array,
-/// shape, an end too early or too late, no rows at all.
+/// Reads a file of records of one dtype. For the first error it throws std::runtime_error "path: byte …" or "path: row
+/// …" (from 0, as NumPy counts) with what was found and expected: wrong magic, version, dtype, array order or shape, an
+/// end too early or too late, no rows.
 ///
 ///   NpyReader file(path, dtype, size);
 ///   while (file.next()) use(file.record());
@@ -149,7 +150,8 @@ class NpyReader {
     check(plain_literal(dict), dtype);
   }
 
-  /// How many rows the header promises, but not more than there are bytes for where the size of the file is known.
+  /// The number of rows by the header, but not more than the size of the file allows; 0 if its size is not known (a
+  /// pipe).
   [[nodiscard]] std::size_t expected_rows() const {
     return static_cast<std::size_t>(std::min<std::uintmax_t>(rows_, file_.size() / record_size_));
   }
@@ -171,7 +173,7 @@ class NpyReader {
   /// The bytes of the record. Valid until next() is called.
   [[nodiscard]] const char* record() const { return buffer_.data() + record_; }
 
-  /// Throws std::runtime_error about the present row.
+  /// Throws std::runtime_error about the current row.
   template <typename... Parts>
   [[noreturn]] void fail_row(const Parts&... what) const {
     fail("row ", row_ - 1, ": ", what...);
@@ -207,7 +209,7 @@ class NpyReader {
     rows_ = static_cast<std::uint64_t>(rows.value);
   }
 
-  /// Reads the next block of records; the first of them is at the place returned.
+  /// Reads the next block of records and returns the position of its first one.
   [[nodiscard]] std::size_t read_on() {
     const std::uint64_t records = std::min<std::uint64_t>(rows_ - row_, buffer_.size() / record_size_);
     const std::size_t wanted = static_cast<std::size_t>(records) * record_size_;
@@ -221,7 +223,7 @@ class NpyReader {
   std::size_t record_size_;
   std::vector<char> buffer_;
   std::size_t record_ = 0, end_ = 0;  // in the buffer
-  std::uint64_t rows_ = 0, row_ = 0;  // that there are; that next() has given
+  std::uint64_t rows_ = 0, row_ = 0;  // in the file; given by next() so far
   std::uint64_t offset_ = 0;          // bytes read
 };
 

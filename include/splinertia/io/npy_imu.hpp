@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// IMU samples as a NumPy array of records (time_ns, gyro, accel), 56 bytes a sample, that numpy.load reads as it is:
+/// IMU samples as a NumPy array of records (time_ns, gyro, accel), 56 bytes a sample, for numpy.load:
 ///
-///   imu = numpy.load("imu.npy")    # or mmap_mode="r", which reads only what is looked at
+///   imu = numpy.load("imu.npy")    # or mmap_mode="r", which reads only what is used
 ///   imu["time_ns"], imu["gyro"][:, 2]
 #pragma once
 
@@ -31,8 +31,8 @@ namespace splinertia {
 inline constexpr const char* npy_imu_dtype = "[('time_ns', '<i8'), ('gyro', '<f8', (3,)), ('accel', '<f8', (3,))]";
 inline constexpr std::size_t npy_imu_size = 7 * 8;  // bytes
 
-/// Writes IMU samples as a NumPy array, one by one in constant memory; the file appears with commit(). Members throw
-/// std::runtime_error if the file cannot be written, std::invalid_argument for what read_npy_imu would refuse: no
+/// Writes IMU samples as a NumPy array one by one, in constant memory. The file appears with commit(). Members throw
+/// std::runtime_error if the file cannot be written, and std::invalid_argument for what read_npy_imu would refuse: no
 /// samples, NaN, times that do not increase.
 class NpyImuWriter {
  public:
@@ -75,7 +75,7 @@ class NpyImuWriter {
   std::optional<std::chrono::nanoseconds> time_;
 };
 
-/// Writes all samples of a range; as NpyImuWriter.
+/// Writes all samples of a range, as NpyImuWriter does.
 template <std::ranges::input_range Samples>
 void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
   NpyImuWriter writer(path);
@@ -83,8 +83,8 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
   writer.commit();
 }
 
-/// The samples in a file that NpyImuWriter or numpy.save wrote, with the same bits. Throws std::runtime_error with file
-/// and byte or row for the first thing wrong: what NpyReader refuses, NaN, infinity, times that do not increase.
+/// Reads the samples in a file that NpyImuWriter or numpy.save wrote, with the same bits. Throws std::runtime_error
+/// with file and byte or row for the first error: what NpyReader refuses, NaN, infinity, times that do not increase.
 [[nodiscard]] inline std::vector<EurocImu> read_npy_imu(const std::filesystem::path& path) {
   NpyReader file(path, npy_imu_dtype, npy_imu_size);
   std::vector<EurocImu> samples;

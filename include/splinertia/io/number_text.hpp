@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Numbers and their decimal text, both ways, whatever the locale says. Strict: a text is the number and nothing else.
+/// Conversion between numbers and decimal text, independent of the locale. Strict: a text has to be a number and
+/// nothing else.
 #pragma once
 
 #include <charconv>
@@ -23,14 +24,14 @@
 
 namespace splinertia {
 
-/// What a text was read as. `problem` is null when `value` is good, otherwise it completes the sentence `"text" …`.
+/// The result of parsing a text. `problem` is null if `value` is good; otherwise it completes the sentence `"text" …`.
 template <typename T>
 struct Parsed {
   T value{};
   const char* problem = nullptr;
 };
 
-/// Room that real_to_chars and integer_to_chars need.
+/// The number of characters for which real_to_chars and integer_to_chars need room.
 inline constexpr int number_text_size = 32;
 
 #if !defined(__cpp_lib_to_chars)
@@ -40,8 +41,8 @@ inline constexpr int number_text_size = 32;
   return locale;
 }
 
-/// Stands in for std::from_chars, for texts that begin with a digit or point behind an optional minus sign. Looks no
-/// further than the next blank or comma.
+/// Replaces std::from_chars for texts that begin with a digit or point behind an optional minus sign. Looks no further
+/// than the next blank or comma.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
   last = std::find_if(first, last, [](char c) { return c == ',' || c == ' ' || c == '\t'; });
   const std::string text(first, last);  // strtod wants a terminating zero
@@ -51,7 +52,7 @@ inline constexpr int number_text_size = 32;
   return {first + (end - text.c_str()), is_finite(value) ? std::errc{} : std::errc::result_out_of_range};
 }
 
-/// Stands in for std::to_chars: 17 digits instead of the fewest.
+/// Replaces std::to_chars, with 17 digits instead of the fewest.
 inline char* real_to_chars(char* first, double value) {
   const ::locale_t before = ::uselocale(c_locale());
   const int length = ::snprintf(first, number_text_size, "%.17g", value);
@@ -59,7 +60,7 @@ inline char* real_to_chars(char* first, double value) {
   return first + length;
 }
 #else
-/// As std::from_chars.
+/// The same as std::from_chars.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
 #if defined(__SIZEOF_INT128__)
   if (const char* const end = detail::short_decimal(first, last, value)) return {end, std::errc{}};
@@ -79,13 +80,13 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   return std::to_chars(first, first + number_text_size, value).ptr;
 }
 
-/// Whether a text begins as real_from_chars wants it: with a digit or point behind an optional minus sign.
+/// Whether a text begins as real_from_chars requires: with a digit or point behind an optional minus sign.
 [[nodiscard]] inline bool begins_as_real(const char* first, const char* last) {
   if (first != last && *first == '-') ++first;
   return first != last && ((*first >= '0' && *first <= '9') || *first == '.');
 }
 
-/// Reads a finite decimal number: digits with an optional sign, point and exponent. Everything else is a problem: NaN,
+/// Reads a finite decimal number: digits with an optional sign, point and exponent. Anything else sets `problem`: NaN,
 /// infinity, hexadecimal, overflow, anything before or after the number.
 [[nodiscard]] inline Parsed<double> parse_real(std::string_view text) {
 #if defined(__SIZEOF_INT128__)
@@ -114,7 +115,7 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   return number;
 }
 
-/// Reads a 64-bit integer: digits behind an optional minus sign, exactly.
+/// Reads a 64-bit integer: digits behind an optional minus sign and nothing else.
 [[nodiscard]] inline Parsed<std::int64_t> parse_integer(std::string_view text) {
   Parsed<std::int64_t> number;
   const char* const last = text.data() + text.size();

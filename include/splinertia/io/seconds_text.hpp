@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Times as decimal numbers in text, exact to the nanosecond: no double in between, which could not hold an epoch
+/// Times as decimal numbers in text, exact to the nanosecond. No double is used, because it could not hold an epoch
 /// stamp.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 namespace splinertia {
 
-/// A decimal number taken apart: digits with at most one point, and where the point stands counted from the first digit
-/// when the exponent has moved it.
+/// The parts of a decimal number: digits with at most one point, and the position of the point from the first digit
+/// after the exponent has moved it.
 struct DecimalText {
   std::string_view mantissa;
   std::int64_t point;
 };
 
-/// Takes apart an unsigned decimal number, plain or with an exponent. What is none is a problem.
+/// Splits an unsigned decimal number, plain or with an exponent, into its parts. Anything else sets `problem`.
 [[nodiscard]] inline Parsed<DecimalText> scan_decimal(std::string_view text) {
   const Parsed<DecimalText> bad{{}, "is not a number of seconds"};
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -39,9 +39,9 @@ struct DecimalText {
   return {{mantissa, static_cast<std::int64_t>(point) + exponent.value}};
 }
 
-/// Reads a decimal number of units of 10^-places s, plain (1305031098.6659) or scientific (1.305031098665900000e+09, as
-/// numpy.savetxt writes), to the nearest nanosecond, half away from zero. What is no such number or does not fit in
-/// 64 bits is a problem.
+/// Reads a decimal number in units of 10^-places s, plain (1305031098.6659) or scientific (1.305031098665900000e+09, as
+/// numpy.savetxt writes). The result is rounded to the nearest nanosecond, half away from zero. Anything that is not a
+/// number or does not fit in 64 bits sets `problem`.
 [[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_time(std::string_view text, int places) {
   const Parsed<std::chrono::nanoseconds> too_large{{}, "does not fit in 64-bit nanoseconds"};
   const bool negative = text.starts_with('-');
@@ -49,7 +49,8 @@ struct DecimalText {
   const Parsed<DecimalText> decimal = scan_decimal(text);
   if (decimal.problem) return {{}, places == 0 ? decimal.problem : "is not a number"};
 
-  // The first `kept` digits are whole nanoseconds, the next one rounds. Counted downwards, to reach the lowest value.
+  // The first `kept` digits are whole nanoseconds, the next one rounds. `count` is ≤ 0, so that it reaches the lowest
+  // value.
   constexpr std::int64_t lowest = (std::numeric_limits<std::int64_t>::min)();
   const std::int64_t kept = decimal.value.point + 9 - places;
   std::int64_t count = 0, position = 0;
@@ -73,7 +74,7 @@ struct DecimalText {
   return {std::chrono::nanoseconds{negative ? count : -count}};
 }
 
-/// Reads decimal seconds, as parse_time.
+/// Reads decimal seconds as parse_time does.
 [[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_seconds(std::string_view text) {
   return parse_time(text, 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The unit of time stamps in text, seen from their digits and steps.
+/// Infers the unit of time stamps in text from their digits and steps.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace splinertia {
 
-/// The rates that a kind of data has, Hz. Beyond them the unit of its stamps is doubted.
+/// The plausible rates of a kind of data, Hz. A rate outside makes the unit of its stamps doubtful.
 struct RateRange {
   double lowest, highest;
 };
@@ -29,7 +29,7 @@ inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::millisec
 /// A unit in seconds.
 [[nodiscard]] inline double seconds_of(TimeUnit unit) { return std::pow(10.0, -static_cast<int>(unit)); }
 
-/// Whether stamps with this typical step, in their unit, have such a rate. Unknown (0) has.
+/// Whether stamps with this typical step, in this unit, have such a rate. An unknown step (0) is plausible.
 [[nodiscard]] inline bool is_plausible(double step, TimeUnit unit, const RateRange& rates) {
   const double interval = step * seconds_of(unit);
   return step == 0 || (interval >= 1 / rates.highest && interval <= 1 / rates.lowest);
@@ -46,15 +46,15 @@ inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::millisec
   return text;
 }
 
-/// What the first stamps of a file look like.
+/// Properties of the first stamps of a file.
 struct StampSample {
   double step = 0;         ///< the median of the positive steps, in their unit; 0 if there is none
-  double mean_step = 0;    ///< likewise; in bursts the median says nothing of the rate
+  double mean_step = 0;    ///< the mean of the same; if samples come in bursts, the median does not show the rate
   double middle = 0;       ///< the median stamp
-  bool decimals = false;   ///< some are written with them
-  bool fractions = false;  ///< some are no whole numbers
+  bool decimals = false;   ///< some are written with decimals
+  bool fractions = false;  ///< some are not whole numbers
 
-  /// Of texts; what is no number is passed over.
+  /// Texts that are not numbers are skipped.
   explicit StampSample(std::span<const std::string_view> texts) {
     std::vector<double> values, steps;
     for (const std::string_view text : texts) {
@@ -70,7 +70,7 @@ struct StampSample {
     middle = median(values);
   }
 
-  /// The unit in which the stamps count from 1970: they have 10, 13, 16 or 19 digits.
+  /// The unit in which the stamps count from 1970: s, ms, us or ns if they have 10, 13, 16 or 19 digits.
   [[nodiscard]] std::optional<TimeUnit> since_1970() const {
     for (const TimeUnit unit : all_time_units) {
       const double count = middle * seconds_of(unit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Reading tables whose rows are a time and some numbers: what TUM and EuRoC files have in common.
+/// Reads tables whose rows are a time and some numbers, such as TUM and EuRoC files.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,9 +24,9 @@
 
 namespace splinertia {
 
-/// Reads the rows of a table one after the other and throws std::runtime_error with file:line, the value and what was
-/// expected for the first thing that is not as the layout says: columns missing or too many, a number that is none or
-/// not finite, a time that does not come after the one before, a file without rows.
+/// Reads the rows of a table one after the other. For the first deviation from the layout it throws std::runtime_error
+/// with file:line, the value and what was expected: too few or too many columns, a number that is malformed or not
+/// finite, a time that is not later than the one before, a file without rows.
 ///
 ///   StampedTable table(path, layout);
 ///   while (table.next()) use(table.time(), table[1], table.vector(2));
@@ -62,21 +62,21 @@ class StampedTable {
     return {(*this)[column], (*this)[column + 1], (*this)[column + 2]};
   }
 
-  /// Throws std::runtime_error "path:line: …" about the present row.
+  /// Throws std::runtime_error "path:line: …" about the current row.
   template <typename... Parts>
   [[noreturn]] void fail(const Parts&... what) const {
     file_.fail(what...);
   }
 
-  /// How many rows the file seems to have, judged by the part that was read; 0 if its size is not known.
+  /// The estimated number of rows in the file, from the part that was read; 0 if its size is not known.
   [[nodiscard]] std::size_t expected_rows(std::size_t rows_so_far) const {
     const double progress = file_.progress();
     return progress > 0 ? static_cast<std::size_t>(static_cast<double>(rows_so_far) / progress) : 0;
   }
 
  private:
-  /// Reads a row in one go if it looks as writers make it: as many columns as the rows before, one character between
-  /// them and no other blanks. Whatever differs, good or bad, is left to be read field by field: returns false.
+  /// Reads a row in one pass if it has the form that writers use: as many columns as the rows before, one character
+  /// between them and no other blanks. Returns false for any other, good or bad, which is then read field by field.
   [[nodiscard]] bool read_plain_row() {
     if (!time_) return false;
     const char* at = file_.line().data();
@@ -98,7 +98,7 @@ class StampedTable {
     return true;
   }
 
-  /// Reads the time at the beginning of a row and moves `at` behind it; "" if that is none.
+  /// Reads the time at the beginning of a row, moves `at` behind it, and returns its text; "" if it is malformed.
   [[nodiscard]] std::string_view read_plain_stamp(const char*& at, const char* end, std::chrono::nanoseconds& time) {
     const char* const begin = at;
     if (layout_.stamp == TableLayout::Stamp::nanoseconds) {
@@ -157,16 +157,16 @@ class StampedTable {
   std::vector<std::string_view> fields_;
   std::vector<double> values_;  // by column; the first is unused
   std::optional<std::chrono::nanoseconds> time_;
-  std::string stamp_;  // time_ as the file writes it
+  std::string stamp_;  // text of time_ in the file
 };
 
-/// All rows of a table, each as `parse(const StampedTable&)` makes it. Throws as StampedTable does.
+/// All rows of a table, each converted by `parse(const StampedTable&)`. Throws as StampedTable does.
 template <typename Parse>
 [[nodiscard]] auto read_stamped_table(const std::filesystem::path& path, const TableLayout& layout, Parse parse) {
   std::vector<decltype(parse(std::declval<const StampedTable&>()))> rows;
   StampedTable table(path, layout);
   while (table.next()) {
-    if (rows.size() == rows.capacity() && rows.size() >= 256) {  // enough of them for a guess of the rest
+    if (rows.size() == rows.capacity() && rows.size() >= 256) {  // enough to estimate the rest
       const std::size_t expected = table.expected_rows(rows.size());
       rows.reserve((std::max)(expected + expected / 64, 2 * rows.size()));
     }

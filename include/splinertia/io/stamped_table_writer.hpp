@@ -23,13 +23,13 @@
 
 namespace splinertia {
 
-/// Has a `time` in seconds or as an integer duration. Files have whole nanoseconds: seconds go to the nearest.
+/// Has a `time` in seconds or as an integer duration. Files have whole nanoseconds; seconds are rounded to the nearest.
 template <typename T>
 concept WithTime = TimePoint<std::remove_cvref_t<decltype(std::declval<const T&>().time)>>;
 
-/// Writes a table row by row, so that a long one needs no memory. The file appears with commit(). What StampedTable
-/// would refuse is refused here with std::invalid_argument: NaN, infinity, times that do not increase, no rows at all.
-/// Throws std::runtime_error when the system refuses.
+/// Writes a table row by row, in constant memory. The file appears with commit(). Members throw std::runtime_error if
+/// the file cannot be written, and std::invalid_argument for what StampedTable would refuse: NaN, infinity, times that
+/// do not increase, no rows.
 class StampedTableWriter {
  public:
   StampedTableWriter(const std::filesystem::path& path, const TableLayout& layout) : file_(path), layout_(layout) {
@@ -39,7 +39,7 @@ class StampedTableWriter {
     file_.append('\n');
   }
 
-  /// One row: a time, to the nearest nanosecond, and column vectors, whose elements together fill the columns.
+  /// One row: a time, to the nearest nanosecond, and vectors whose elements together fill the other columns.
   template <TimePoint Time, typename... Vector>
   void append(Time row_time, const Vector&... values) {
     const std::chrono::nanoseconds time = file_time(row_time);
@@ -58,7 +58,7 @@ class StampedTableWriter {
     file_.advance(end);
   }
 
-  /// A line that readers pass over: `# ` and a text without line breaks.
+  /// Writes a line that readers skip: `# ` and the text. Requires a text without line breaks.
   void comment(std::string_view text) {
     assert(text.find_first_of("\n\r") == text.npos);
     file_.append("# ");

@@ -10,18 +10,18 @@
 
 namespace splinertia {
 
-/// How a format lays out a table whose rows are a time and some numbers. The first column is the time.
-/// Objects are `const`, not `constexpr`: g++ finds std::span not to be constant where its debug mode checks the pointer
-/// under -fsanitize=undefined.
+/// The layout of a table whose rows are a time, in the first column, and some numbers.
+/// Objects are `const`, not `constexpr`: under -fsanitize=undefined g++ does not accept a std::span as constant where
+/// its debug mode checks the pointer.
 struct TableLayout {
   enum class Stamp { seconds, nanoseconds };
 
-  std::string_view format;                    // as it is called in messages
+  std::string_view format;                    // its name in messages
   std::span<const std::string_view> columns;  // their names
-  std::size_t fewest_columns;                 // rows may end after this many, all rows alike
+  std::size_t fewest_columns;                 // rows may have only this many, if all do
   Stamp stamp;
-  char separator;  // ' ' takes blanks only; ',' takes commas or blanks
-  bool header;     // whether a writer begins with a line "#names"
+  char separator;  // ' ' accepts blanks only; ',' accepts commas or blanks
+  bool header;     // whether writers begin with a line "#names"
 
   /// The names of the columns as a line of the table: "t tx ty …".
   [[nodiscard]] std::string names() const {

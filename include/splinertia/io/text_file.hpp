@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Reading text line by line, such that every complaint names file and line.
+/// Reads text line by line; every error message names file and line.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ namespace splinertia {
   return text;
 }
 
-/// Splits a line at its commas, or at its runs of blanks if it has no comma. The fields view the line. Two commas in a
-/// row have an empty field between them.
+/// Splits a line at its commas, or at its runs of blanks if it has no comma. The fields are views of the line. Between
+/// two adjacent commas is an empty field.
 inline void split_fields(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   const bool commas = line.find(',') != std::string_view::npos;
@@ -42,28 +42,27 @@ inline void split_fields(std::string_view line, std::vector<std::string_view>& f
   }
 }
 
-/// A piece of a file as it may stand in a message: in quotation marks, on one line, not long.
+/// A piece of a file for use in a message: in quotation marks, on one line, cut to `longest` bytes.
 [[nodiscard]] inline std::string excerpt(std::string_view text, std::size_t longest = 40) {
   std::string result = "\"";
   for (const char c : text.substr(0, longest)) result += static_cast<unsigned char>(c) < ' ' ? '?' : c;
   return result += text.size() > longest ? "…\"" : "\"";
 }
 
-/// The lines of a text file that hold data: blank lines and lines that begin with # are passed over, as are a UTF-8
-/// byte order mark and the carriage returns of Windows.
+/// The lines of a text file that hold data. Blank lines, lines that begin with #, a UTF-8 byte order mark and the
+/// carriage returns of Windows are skipped.
 ///
 ///   TextFile file(path);
 ///   while (file.next()) parse(file.line());
 ///
-/// Reads by blocks, so that a pipe gives its lines when it is closed or a block is full. Memory: a block, or twice the
-/// longest line.
+/// It reads by blocks. Lines of a pipe are therefore available when a block is full or the pipe is closed. Memory: a
+/// block, or twice the longest line.
 class TextFile {
  public:
   /// Opens the file. Throws std::runtime_error if it is missing, unreadable or a directory.
   explicit TextFile(const std::filesystem::path& path) : file_(path) {}
 
-  /// Goes to the next line of data; false at the end of the file. Throws std::runtime_error if the file cannot be read
-  /// on.
+  /// Goes to the next line of data; false at the end of the file. Throws std::runtime_error if reading fails.
   [[nodiscard]] bool next() {
     while (next_or_comment()) {
       if (line_.front() != '#') return true;
@@ -71,9 +70,8 @@ class TextFile {
     return false;
   }
 
-  /// Reads the next line at once if it is a number as programs write it and nothing else, which saves looking for its
-  /// end. False: it is something else, or not all of it is in memory yet, and next() goes to it. Leaves line() as it
-  /// is.
+  /// Reads the next line directly if it is a plain number and nothing else, without a search for its end. Returns false
+  /// if it is anything else or not yet completely in memory; then call next(). Does not change line().
   [[nodiscard]] bool next_number(double& number) {
 #if defined(__SIZEOF_INT128__)
     const char* const end = detail::short_decimal(begin_, end_, number);
@@ -86,7 +84,7 @@ class TextFile {
 #endif
   }
 
-  /// As next(), but stops at comments, too.
+  /// The same as next(), but stops at comments, too.
   [[nodiscard]] bool next_or_comment() {
     while (next_line()) {
       if (++number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
@@ -103,8 +101,8 @@ class TextFile {
   /// Its number in the file, from 1.
   [[nodiscard]] std::size_t line_number() const { return number_; }
 
-  /// How much of the file is behind, 0 to 1, for progress bars and guesses of its length; 0 if its size is not known (a
-  /// pipe).
+  /// The share of the file that was read, 0 to 1, for progress bars and estimates of the number of rows; 0 if the size
+  /// is not known (a pipe).
   [[nodiscard]] double progress() const {
     const std::uintmax_t behind = read_ - static_cast<std::uintmax_t>(end_ - begin_);
     if (file_.size() == 0) return 0;
@@ -114,7 +112,7 @@ class TextFile {
   /// The name of the file, for messages.
   [[nodiscard]] const std::string& path() const { return file_.path(); }
 
-  /// Throws std::runtime_error "path:line: …" with the parts joined; without the line before the first.
+  /// Throws std::runtime_error "path:line: …" with the parts joined; before the first line, "path: …".
   template <typename... Parts>
   [[noreturn]] void fail(const Parts&... what) const {
     throw std::runtime_error(number_ == 0 ? message(file_.path(), ": ", what...)
@@ -122,7 +120,7 @@ class TextFile {
   }
 
  private:
-  /// Goes to the next line, without its end; what stands behind the last '\n' is a line unless it is empty.
+  /// Goes to the next line, without its '\n'. Text behind the last '\n' is a line unless it is empty.
   [[nodiscard]] bool next_line() {
     for (std::size_t searched = 0;;) {
       const auto left = static_cast<std::size_t>(end_ - begin_);
@@ -142,7 +140,7 @@ class TextFile {
     return !line_.empty();
   }
 
-  /// Appends what comes next in the file to the piece of a line that is left in the buffer; false at the end.
+  /// Appends the next bytes of the file to the piece of a line that is left in the buffer; false at the end.
   [[nodiscard]] bool read_on() {
     const auto left = static_cast<std::size_t>(end_ - begin_);
     if (2 * left > buffer_.size() || buffer_.empty()) {
@@ -165,7 +163,7 @@ class TextFile {
   InputFile file_;
   std::uintmax_t read_ = 0;  // bytes so far
   std::vector<char> buffer_;
-  const char *begin_ = nullptr, *end_ = nullptr;  // what of the buffer is still to come
+  const char *begin_ = nullptr, *end_ = nullptr;  // the unread part of the buffer
   std::string_view line_;
   std::size_t number_ = 0;
 };

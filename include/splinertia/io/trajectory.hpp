@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Trajectories in whichever of the known formats, or in a format that is described.
+/// Reads trajectories in any of the known formats, or in a format that is described.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,18 +29,19 @@
 
 namespace splinertia {
 
-/// What a trajectory file says. Of velocities and biases there is one a pose, or none.
+/// The contents of a trajectory file. Velocities and biases have one element for each pose, or none.
 struct TrajectoryFile {
   std::vector<Stamped<SO3xR3<double>>> poses{};  ///< T_WB [m], times increasing
   std::vector<Eigen::Vector3d> velocities{};     ///< in W [m/s]
   std::vector<Eigen::Vector3d> gyro_biases{};    ///< in B [rad/s]
   std::vector<Eigen::Vector3d> accel_biases{};   ///< in B [m/s²]
-  std::vector<std::string> notes{};              ///< what was taken or assumed, a sentence each, for people to read
+  std::vector<std::string> notes{};              ///< what was inferred or assumed, a sentence each, for people to read
 };
 
 namespace detail {
 
-/// The stamps in a file with one a line; the unit is that given, or it is chosen as for poses, usually seconds.
+/// The stamps in a file with one per line. The unit is the given one, or chosen as for poses with seconds as usual
+/// unit.
 [[nodiscard]] inline std::vector<std::chrono::nanoseconds> read_times(const TrajectoryFormat& format,
                                                                       std::vector<std::string>& notes) {
   TextFile file(format.times);
@@ -98,7 +99,7 @@ class RowTimes {
   std::vector<std::chrono::nanoseconds> times_;
 };
 
-/// All rows: those of the head, then what is still to come.
+/// Reads all rows: those of the head, then the rest of the file.
 [[nodiscard]] inline TrajectoryTable read_rows(TextFile& file, const TrajectoryHead& head, TrajectoryLayout layout,
                                                const TrajectoryFormat& format) {
   const bool stamps = layout.plan.has(column::time);
@@ -123,7 +124,7 @@ class RowTimes {
   return table;
 }
 
-/// Velocities that are all zero along poses that move are a writer's way to say that it has none.
+/// Drops velocities that are all zero, and biases if they are all zero as well: writers without velocities write zeros.
 inline void drop_zero_velocities(TrajectoryFile& result) {
   const auto zero = [](const Eigen::Vector3d& v) { return v.isZero(0); };
   if (result.velocities.empty() || !std::all_of(result.velocities.begin(), result.velocities.end(), zero)) return;
@@ -140,16 +141,17 @@ inline void drop_zero_velocities(TrajectoryFile& result) {
 
 }  // namespace detail
 
-/// Reads the poses T_WB [m] of a trajectory file, and velocities and biases where it has them. The file is opened once
-/// and may be a pipe. What the format leaves open is taken from the names of the columns, the number of columns and the
-/// stamps; the notes say what was taken.
+/// Reads the poses T_WB [m] of a trajectory file, and velocities and biases if it has them. The file is opened once and
+/// may be a pipe. What the format leaves open is inferred from the names of the columns, the number of columns and the
+/// stamps; the notes say what was inferred.
 ///
-/// The order of a quaternion cannot be found in the motion: read in the other order, R becomes A R⁻¹ B with constant A
-/// and B, which is as smooth. It is known by a header, by a format that has one order, or by the user.
+/// The order of a quaternion cannot be inferred from the motion: read in the other order, R becomes A R⁻¹ B with
+/// constant A and B, which is as smooth. It has to come from a header, from a format with a single order, or from the
+/// user.
 ///
-/// Throws std::runtime_error with file:line for what is wrong in the file: what cannot be known, with the option that
-/// tells it; bad rows, with the first of them and their number (skip_bad_rows leaves them out). Throws
-/// std::invalid_argument for a format that contradicts itself or the file.
+/// Throws std::runtime_error with file:line for errors in the file. If something cannot be inferred, the message names
+/// the option that sets it. If rows are bad, it names the first ones and their number; skip_bad_rows leaves them out.
+/// Throws std::invalid_argument for a format that contradicts itself or the file.
 [[nodiscard]] inline TrajectoryFile read_trajectory(const std::filesystem::path& path,
                                                     const TrajectoryFormat& format = {}) {
   TextFile file(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How the text of a trajectory file is to be read.
+/// Describes how a trajectory file is read.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -16,7 +16,7 @@ namespace splinertia {
 /// The order of a quaternion's four numbers: real part first or last.
 enum class QuaternionOrder { wxyz, xyzw };
 
-/// The unit of the stamps. Its value is the number of decimal places by which it is less than a second.
+/// The unit of the stamps: 10^-value s.
 enum class TimeUnit { seconds = 0, milliseconds = 3, microseconds = 6, nanoseconds = 9 };
 
 /// s, ms, us, ns
@@ -25,8 +25,8 @@ enum class TimeUnit { seconds = 0, milliseconds = 3, microseconds = 6, nanosecon
   return names[static_cast<std::size_t>(unit) / 3];
 }
 
-/// Describes a trajectory file. What is left out is taken from the file: from the names of its columns if it has any,
-/// from its shape if that tells, and otherwise read_trajectory refuses to guess.
+/// Describes a trajectory file. What is left out is inferred from the file: from the names of its columns if it has
+/// any, otherwise from its shape. If that is ambiguous, read_trajectory refuses to guess.
 struct TrajectoryFormat {
   enum class Kind { automatic, tum, euroc, kitti, vins, openvins, rpg, tartanair };
 
@@ -34,30 +34,30 @@ struct TrajectoryFormat {
 
   /// What the columns hold, instead of a kind: a list such as "t,x,y,z,qx,qy,qz,qw". Names are t (time), x y z
   /// (position), qx qy qz qw or r11 r12 … r33 (attitude R_WB), vx vy vz (velocity in W), bgx bgy bgz and bax bay baz
-  /// (biases), and - for a column to be passed over. A list that ends in ",..." takes rows with more columns.
+  /// (biases), and - for a column to be ignored. A list that ends in ",..." accepts rows with more columns.
   std::string columns{};
 
   std::optional<QuaternionOrder> quaternion_order{};
   std::optional<TimeUnit> time_unit{};
   std::optional<double> rate{};   ///< Hz, of a file without stamps
-  std::filesystem::path times{};  ///< file of the stamps, one a line, for a file without stamps (KITTI's times.txt)
-  bool skip_bad_rows = false;     ///< leave bad rows out and count them; else refuse the file
+  std::filesystem::path times{};  ///< file of the stamps, one per line, for a file without stamps (KITTI's times.txt)
+  bool skip_bad_rows = false;     ///< leave bad rows out and count them; otherwise refuse the file
 };
 
 /// A format that has a name.
 struct KnownTrajectoryFormat {
   TrajectoryFormat::Kind kind;
   std::string_view name;         // of the kind, as programs spell it
-  std::string_view title;        // in messages
+  std::string_view title;        // for messages
   std::string_view columns;      // of the longest rows
-  std::size_t fewest_columns;    // rows may end after this many
+  std::size_t fewest_columns;    // rows may have only this many
   std::optional<TimeUnit> unit;  // none: no stamps
-  std::string_view remark = "";  // on its frames, for those who simulate an IMU along it
+  std::string_view remark = "";  // on its frames, of interest when simulating an IMU along it
 };
 
-/// All of them. Sources: the sites of TUM RGB-D, EuRoC MAV, KITTI and TartanAir; what VINS-Mono, VINS-Fusion, OpenVINS
-/// and rpg's simulators write. OpenVINS keeps the JPL quaternion of R_BW, whose numbers are those of the Hamilton
-/// quaternion of R_WB, which is what is read.
+/// All formats that have a name. Sources: the sites of TUM RGB-D, EuRoC MAV, KITTI and TartanAir; the output of
+/// VINS-Mono, VINS-Fusion, OpenVINS and rpg's simulators. OpenVINS writes the JPL quaternion of R_BW. Its numbers are
+/// those of the Hamilton quaternion of R_WB, as which they are read.
 inline constexpr std::array known_trajectory_formats{
     KnownTrajectoryFormat{TrajectoryFormat::Kind::tum, "tum", "a TUM trajectory", "t,x,y,z,qx,qy,qz,qw", 8,
                           TimeUnit::seconds},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Trajectories as the TUM RGB-D benchmark writes them: lines `t tx ty tz qx qy qz qw`, time in seconds.
+/// Trajectories in the format of the TUM RGB-D benchmark: lines `t tx ty tz qx qy qz qw`, time in seconds.
 /// https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats
 #pragma once
 
@@ -27,7 +27,7 @@ concept StampedPose = WithTime<T> && requires(const T& stamped) {
 
 inline constexpr std::array<std::string_view, 8> tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
-/// Blanks between the columns, as the format says; no header, because not every reader skips it.
+/// Blanks between the columns, as the format requires; no header, because not every reader skips it.
 inline const TableLayout tum_layout{.format = "a TUM trajectory",
                                     .columns = tum_columns,
                                     .fewest_columns = tum_columns.size(),
@@ -35,9 +35,8 @@ inline const TableLayout tum_layout{.format = "a TUM trajectory",
                                     .separator = ' ',
                                     .header = false};
 
-/// The poses T_WB [m] of a TUM file. Times are read exactly, to the nearest nanosecond; quaternions become unit and of
-/// continuous sign (QuaternionTrack). Throws std::runtime_error with file:line for the first thing wrong
-/// (StampedTable).
+/// Reads the poses T_WB [m] of a TUM file. Times are rounded to the nearest nanosecond. Quaternions are normalised and
+/// get continuous signs (QuaternionTrack). Throws std::runtime_error with file:line for the first error (StampedTable).
 [[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_tum(const std::filesystem::path& path) {
   return read_stamped_table(path, tum_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
     const Sophus::SO3d R_WB = track.next(row, {row[7], row[4], row[5], row[6]});
@@ -45,9 +44,9 @@ inline const TableLayout tum_layout{.format = "a TUM trajectory",
   });
 }
 
-/// Writes a TUM file pose by pose, in constant memory; the file appears with commit() and reads back to the same bits.
+/// Writes a TUM file pose by pose, in constant memory. The file appears with commit() and reads back to the same bits.
 /// Times have nine decimals; those in nanoseconds are exact. Members throw std::runtime_error if the file cannot be
-/// written, std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
+/// written, and std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
 class TumWriter {
  public:
   explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
@@ -63,7 +62,7 @@ class TumWriter {
   StampedTableWriter table_;
 };
 
-/// Writes all poses T_WB [m] of a range; as TumWriter.
+/// Writes all poses T_WB [m] of a range, as TumWriter does.
 template <std::ranges::input_range Poses>
   requires StampedPose<std::ranges::range_value_t<Poses>>
 void write_tum(const std::filesystem::path& path, Poses&& poses) {

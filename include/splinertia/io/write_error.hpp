@@ -7,7 +7,7 @@
 
 namespace splinertia {
 
-/// The system has refused to write on: disk full, file too large, … The text has path and reason.
+/// The system failed to write: disk full, file too large, … The message has path and reason.
 struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -23,7 +23,7 @@ struct Circle {
   [[nodiscard]] Time start() const { return -std::numeric_limits<Scalar>::infinity(); }
   [[nodiscard]] Time end() const { return std::numeric_limits<Scalar>::infinity(); }
 
-  /// Requires a finite t, s.
+  /// t in s. Requires a finite t.
   template <int D>
     requires(D <= 2)
   [[nodiscard]] Motion<Group, D> evaluate(Time t) const {

@@ -7,9 +7,11 @@
 
 namespace splinertia {
 
-/// Classical coning about the z axis, at the origin: the body's z axis moves on a cone of half-angle a, once in 2π/Ω,
-///   q = (sin(a/2) cos Ωt, sin(a/2) sin Ωt, 0; cos(a/2)),
-/// the hardest motion for an attitude integrator. Bortz, "A New Mathematical Formulation for Strapdown Inertial
+/// Classical coning about the z axis, at the origin: the body's z axis moves on a cone of half-angle a, period 2π/Ω,
+///
+///   q = (sin(a/2) cos Ωt, sin(a/2) sin Ωt, 0; cos(a/2)).
+///
+/// This is the hardest motion for an attitude integrator. Bortz, "A New Mathematical Formulation for Strapdown Inertial
 /// Navigation", IEEE TAES 1971; Savage, "Strapdown Inertial Navigation Integration Algorithm Design Part 1", JGCD 1998.
 template <typename Real = double>
 struct Coning {
@@ -23,7 +25,7 @@ struct Coning {
   [[nodiscard]] Time start() const { return -std::numeric_limits<Scalar>::infinity(); }
   [[nodiscard]] Time end() const { return std::numeric_limits<Scalar>::infinity(); }
 
-  /// Requires a finite t, s.
+  /// t in s. Requires a finite t.
   template <int D>
     requires(D <= 2)
   [[nodiscard]] Motion<Group, D> evaluate(Time t) const {

@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// X(t) = X₀ exp(t ω): constant velocity on any group, without bounds. On SE(3) a screw; on SO(3) × R³ a constant body
-/// rate and a constant world velocity. A zero twist is a body at rest.
+/// X(t) = X₀ exp(t ω): constant velocity on any group, for all times. On SE(3) this is a screw motion; on SO(3) × R³ a
+/// constant body rate and a constant world velocity. A zero twist is a body at rest.
 template <LieGroup G>
 struct ConstantTwist {
   using Group = G;
@@ -33,7 +33,7 @@ struct ConstantTwist {
   }
 };
 
-/// A body that stays where it is: the static log of Allan analysis.
+/// A body at rest at `pose`, as in the static logs of Allan analysis.
 template <LieGroup G>
 [[nodiscard]] ConstantTwist<G> at_rest(const G& pose) {
   return {pose, Tangent<G>::Zero()};

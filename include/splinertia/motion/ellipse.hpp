@@ -8,7 +8,7 @@
 
 namespace splinertia {
 
-/// The ellipse with a vertical wave on which VIO courses run their simulators, once around in 2π/K (20 s):
+/// An ellipse with a vertical wave, as in the simulators of VIO courses. One revolution takes 2π/K (20 s):
 ///   p = (15 cos Kt + 5, 20 sin Kt + 5, sin 10Kt + 5) m
 ///   roll = 0.1 cos t, pitch = 0.2 sin t, yaw = Kt rad.
 template <typename Real = double>
@@ -22,7 +22,7 @@ struct Ellipse {
   [[nodiscard]] Time start() const { return -std::numeric_limits<Scalar>::infinity(); }
   [[nodiscard]] Time end() const { return std::numeric_limits<Scalar>::infinity(); }
 
-  /// Requires a finite t, s.
+  /// t in s. Requires a finite t.
   template <int D>
     requires(D <= 2)
   [[nodiscard]] Motion<Group, D> evaluate(Time t) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Attitude given as yaw, pitch and roll: R_WB = R_z(ψ) R_y(θ) R_x(φ), the aerospace sequence 3-2-1.
+/// Attitude as yaw, pitch and roll: R_WB = R_z(ψ) R_y(θ) R_x(φ), the aerospace sequence 3-2-1.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ struct AngleMotion {
   Scalar acceleration = Scalar(0);
 };
 
-/// Yaw ψ, pitch θ and roll φ as functions of time, and the attitude that they make.
+/// Yaw ψ, pitch θ and roll φ with their derivatives, and the attitude that follows from them.
 template <typename Scalar>
 struct EulerAngles {
   AngleMotion<Scalar> yaw, pitch, roll;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// The motion of a rigid body in the terms of mechanics, whichever group its pose is kept in. R is R_WB, p is p_WB.
+/// Angular velocity, velocity, acceleration and specific force of a rigid body, from a motion on either group of poses.
+/// R is R_WB, p is p_WB.
 ///
 ///   SO3xR3:  velocity [ω; ṗ],   acceleration [α; p̈]        with ṗ, p̈ in the world
 ///   SE3:     velocity [v; ω],   acceleration [v̇; α]        with v = Rᵀṗ in the body, so Rᵀp̈ = v̇ + ω × v
@@ -43,7 +44,7 @@ template <Pose G, int D>
   }
 }
 
-/// Rᵀ(p̈ − gravity), the specific force in the body, m/s². `gravity` in the world, m/s².
+/// Rᵀ(p̈ − gravity): the specific force in the body, m/s². `gravity`: acceleration of free fall in the world, m/s².
 template <Pose G, int D>
   requires(D >= 2)
 [[nodiscard]] Vector3<ScalarOf<G>> specific_force(const Motion<G, D>& m, const Vector3<ScalarOf<G>>& gravity) {

@@ -5,7 +5,7 @@
 
 namespace splinertia {
 
-// One base a derivative; the primary templates are empty, so that what was not asked for is not there.
+// One base class per derivative. The primary templates are empty: a derivative not asked for is not a member.
 template <LieGroup G, bool exists>
 struct MotionVelocity {};
 template <LieGroup G>
@@ -27,7 +27,7 @@ struct MotionJerk<G, true> {
   Tangent<G> jerk;  ///< d²ω/dt²; per second³
 };
 
-/// Where a curve X(t) on G is at one time, and its derivatives up to the D-th, D = 0 … 3. A derivative that was not
+/// The value of a curve X(t) on G at one time and its derivatives up to the D-th, D = 0 … 3. A derivative that was not
 /// asked for does not exist: reading it is a compile error, not a zero.
 template <LieGroup G, int D>
   requires(0 <= D && D <= 3)

@@ -6,7 +6,7 @@
 
 namespace splinertia {
 
-/// Everything that mechanics says about a rigid body at one time; what analytic motions compute.
+/// Pose, velocities and accelerations of a rigid body at one time, as analytic motions compute them.
 template <typename Scalar>
 struct RigidBodyState {
   Eigen::Quaternion<Scalar> q_WB;
@@ -17,7 +17,7 @@ struct RigidBodyState {
   Vector3<Scalar> a_WB;   ///< world, m/s²
 };
 
-/// The part of it that was asked for, as a motion on SO(3) × R³.
+/// The value and the first D derivatives of this state, as a motion on SO(3) × R³.
 template <int D, typename Scalar>
   requires(D <= 2)
 [[nodiscard]] Motion<SO3xR3<Scalar>, D> split_motion(const RigidBodyState<Scalar>& s) {

@@ -7,12 +7,12 @@
 
 namespace splinertia {
 
-/// A curve on a Lie group that can be asked for its value and its first D derivatives at any time from start() to
-/// end(), both included: every Spline, every analytic motion, and any type of yours with
+/// A curve on a Lie group that gives its value and its first D derivatives at any time from start() to end(), both
+/// included. Every Spline is one, every analytic motion, and any type of yours with
 ///
 ///   using Group = …;                                    a LieGroup
 ///   using Time = …;                                     a TimePoint
-///   Time start() const;  Time end() const;              −∞ and ∞ where the motion has no bounds
+///   Time start() const;  Time end() const;              −∞ and ∞ if the motion has no bounds
 ///   template <int D> Motion<Group, D> evaluate(Time t) const;
 template <typename T, int D>
 concept Trajectory =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Normal random numbers, the same to the last bit on every compiler and platform (std::normal_distribution's algorithm
-/// is the implementation's choice) and several times faster.
+/// Normal random numbers, the same to the last bit on every compiler and platform. The algorithm of
+/// std::normal_distribution differs from implementation to implementation; this one is also several times faster.
 #pragma once
 
 #include <array>
@@ -13,16 +13,16 @@
 
 namespace splinertia {
 
-/// The layers of the ziggurat: 255 rectangles and a base with the tail, all of the same area, under exp(−x²/2).
+/// The layers of the ziggurat under exp(−x²/2): 255 rectangles, and a base with the tail, all of the same area.
 struct ZigguratTables {
   static constexpr std::size_t layers = 256;
   static constexpr double tail = 3.65415288536100877;        // where the tail begins
   static constexpr double height = 1.260285930498598e-3;     // exp(−tail²/2)
   static constexpr double area = 4.92867323397465534736e-3;  // of each layer
-  std::array<double, layers + 1> x{};  // right edges, from the base up; x[0] is that of a rectangle of the base's area
+  std::array<double, layers + 1> x{};  // right edges, from the base up; x[0]: of a rectangle with the area of the base
   std::array<double, layers + 1> f{};  // exp(−x²/2)
-  // By layer, then by layer + 256 for the negative half: ±x · 2⁻⁵³, and from which integer on a multiple of that is not
-  // left of the layer above.
+  // Indexed by the layer, + 256 for negative numbers. scale: ±x · 2⁻⁵³. inside: the smallest integer whose multiple of
+  // that is not left of the edge of the layer above.
   std::array<double, 2 * layers> scale{};
   std::array<std::int64_t, 2 * layers> inside{};
 };
@@ -56,10 +56,10 @@ struct ZigguratTables {
 
 inline constexpr ZigguratTables ziggurat_tables = make_ziggurat_tables();
 
-/// An endless stream of independent standard normal numbers, a function of its key alone.
-/// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with layer, sign
-/// and abscissa from bits of their own (Doornik, 2005).
-/// Generator is any uniform random bit generator; streams of the default one are the same on every platform.
+/// An endless stream of independent standard normal numbers, determined by its key alone.
+/// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with separate bits
+/// for layer, sign and abscissa (Doornik, 2005).
+/// Generator is any uniform random bit generator. Streams of the default one are the same on every platform.
 template <BitGenerator Generator = Xoshiro256>
 class NormalStream {
  public:
@@ -71,7 +71,8 @@ class NormalStream {
     if (candidate.inside()) [[likely]]
       return candidate.x();  // 99 % of all draws
     if constexpr (std::is_trivially_copyable_v<RandomBits<Generator>>) {
-      // On a copy: were the address of this known to a function that is not inlined, it could not be in registers.
+      // Works on a copy: if a function that is not inlined knew the address of this object, it could not stay in
+      // registers.
       NormalStream copy = *this;
       const double x = copy.go_on(r);
       *this = copy;
@@ -94,7 +95,7 @@ class NormalStream {
 
     [[gnu::always_inline]] constexpr explicit Candidate(std::uint64_t r)
         : index(r & 0x1ff), multiple(static_cast<std::int64_t>(r >> 11)) {}
-    /// Whether it is under the curve for being left of the layer above.
+    /// Whether x is left of the edge of the layer above, so that the point is certainly under the curve.
     [[nodiscard, gnu::always_inline]] constexpr bool inside() const { return multiple < ziggurat_tables.inside[index]; }
     [[nodiscard, gnu::always_inline]] constexpr double x() const {
       return static_cast<double>(multiple) * ziggurat_tables.scale[index];
@@ -105,7 +106,7 @@ class NormalStream {
     }
   };
 
-  // What is left to do when the candidate made from r is not inside: kept out of the loops that draw.
+  // Continues when the candidate made from r is not inside. Not inlined, to keep it out of the loops that draw.
   [[gnu::noinline, gnu::cold]] constexpr double go_on(std::uint64_t r) {
     for (;; r = bits_()) {
       const Candidate candidate(r);

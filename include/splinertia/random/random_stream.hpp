@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Random numbers that are the same everywhere: streams named by what they are for, not by the order in which they are
-/// used.
+/// Streams of random numbers that are the same everywhere. A stream is named by its purpose, so that the order of use
+/// does not matter.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -21,13 +21,13 @@ namespace splinertia {
   return x ^ (x >> 31);
 }
 
-/// Names a stream of random numbers: one for each run (seed), sensor, error term and axis. Streams of different names
-/// are independent, so that adding a term or a sensor leaves the numbers of all others as they were.
+/// The name of a stream of random numbers, one for each run (seed), sensor, error term and axis. Streams with different
+/// names are independent: adding a term or a sensor leaves the numbers of all others unchanged.
 class StreamKey {
  public:
   constexpr explicit StreamKey(std::uint64_t seed) : hash_(scramble(seed + golden_ratio)) {}
 
-  /// The key of part `index` of what this one names.
+  /// The key of part `index` of what this key names.
   [[nodiscard]] constexpr StreamKey operator/(std::uint64_t index) const {
     return StreamKey(Hash{scramble(hash_ + golden_ratio * (2 * index + 1))});
   }

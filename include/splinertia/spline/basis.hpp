@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Cumulative B-spline basis functions λ_0 … λ_{k−1} of order k on one segment, λ_j = Σ_{l ≥ j} B_l. λ_0 = 1 is left
-/// out.
+/// Cumulative B-spline basis functions λ_0 … λ_{k−1} of order k on one segment, λ_j = Σ_{l ≥ j} B_l. λ_0 = 1 is
+/// omitted.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace splinertia {
 
-/// The orders that curves have: 2 is linear, 4 cubic.
+/// The supported orders: 2 is linear, 4 cubic.
 inline constexpr int lowest_order = 2, highest_order = 8;
 template <int Order>
 inline constexpr bool is_supported_order = lowest_order <= Order && Order <= highest_order;
@@ -40,8 +40,8 @@ struct CumulativeBasis {
 template <int Order>
 using BasisMatrix = FixedArray<FixedArray<std::int64_t, Order>, Order>;
 
-/// (k − 1)! times the basis matrix of uniform knots, an integer: row j, column n holds the coefficient of uⁿ in
-/// (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).
+/// (k − 1)! times the basis matrix of uniform knots, which makes it integer. Row j, column n holds the coefficient of
+/// uⁿ in (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).
 template <int Order>
 [[nodiscard]] constexpr BasisMatrix<Order> uniform_basis_matrix() {
   constexpr auto power = [](std::int64_t base, int exponent) {
@@ -63,7 +63,7 @@ template <int Order>
   return m;
 }
 
-/// The same for the cumulative basis: row j is the sum of the rows from j on.
+/// (k − 1)! times the matrix of the cumulative basis: row j is the sum of rows j … k − 1 of uniform_basis_matrix().
 template <int Order>
 [[nodiscard]] constexpr BasisMatrix<Order> uniform_cumulative_matrix() {
   BasisMatrix<Order> m = uniform_basis_matrix<Order>();
@@ -84,7 +84,7 @@ static_assert([] {
   return true;
 }());
 
-/// (k − 1)! d^m λ_j/du^m by Horner's rule. The coefficients are exact, so that the only errors are those of the sum.
+/// (k − 1)! d^m λ_j/du^m by Horner's rule. The coefficients are exact; only the evaluation rounds.
 template <int Order, int j, int m, typename Scalar>
 [[nodiscard]] inline Scalar uniform_basis_polynomial(const Scalar& u) {
   constexpr auto coefficient = [](std::size_t power) {
@@ -106,9 +106,9 @@ template <int Order, int j, int m, typename Scalar>
   return sum;
 }
 
-/// The basis of uniform knots at u ∈ [0, 1] of a segment of `interval` seconds.
-/// Error at most 0.7 eps of the largest value, 1.6 eps of the largest derivative. For a Scalar of automatic
-/// differentiation u may be of a plain type, if nothing is differentiated by time.
+/// The basis of uniform knots at u ∈ [0, 1] of a segment of length `interval`, s. The error is at most 0.7 eps of the
+/// largest value and 1.6 eps of the largest derivative. If Scalar is a type of automatic differentiation but nothing is
+/// differentiated with respect to time, U may be a plain type.
 template <int Order, int D, typename U, typename Scalar = U>
 [[nodiscard]] inline CumulativeBasis<Scalar, Order, D> uniform_basis(const U& u, const U& interval) {
   using Real = Constant<U>;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// The value and derivatives of a cumulative B-spline on a Lie group from its control points and basis, with no Spline
+/// Value and derivatives of a cumulative B-spline on a Lie group from its control points and basis, without a Spline
 /// object: for control points that an optimiser owns.
 ///
 ///   X(t) = X_0 A_1 … A_{k−1},  A_j = exp(λ_j d_j),  d_j = log(X_{j−1}⁻¹ X_j)
 ///
-/// Sommer et al., "Efficient Derivative Computation for Cumulative B-Splines on Lie Groups", CVPR 2020, (24)–(31), run
-/// backwards: with P = A_{j+1} … A_{k−1}, each factor needs one tangent vector to be seen from P instead of one for
-/// every derivative, and value and all derivatives come out of the same pass.
+/// Sommer et al., "Efficient Derivative Computation for Cumulative B-Splines on Lie Groups", CVPR 2020, (24)–(31), with
+/// the recursion run backwards. With P = A_{j+1} … A_{k−1}, each factor needs Ad_{P⁻¹} of a single tangent vector
+/// instead of one per derivative, and one pass gives the value and all derivatives.
 #pragma once
 
 #include <array>
@@ -23,15 +23,16 @@
 
 namespace splinertia {
 
-/// Does nothing, at no cost: the observer of those who want no more than the motion.
+/// The default observer of evaluate_increments(). Does nothing, at no cost.
 struct NoObserver {
   void operator()(auto&&...) const {}
 };
 
-/// The curve from its first control point and its increments; d(j) returns d_{j+1}, j = 0 … Order − 2.
-/// Linear in the order; calls exp once for each increment (once in all on a commutative group) and no logarithm.
-/// On a group that is not commutative, observe(j, P, m) is told, for j = Order − 2 … 0, what the factors from j on
-/// make: P = A_{j+1} … A_{k−1}, and their velocity and acceleration in m.
+/// The motion of a curve from its first control point and its increments; d(j) returns d_{j+1}, j = 0 … Order − 2. Time
+/// is linear in the order: one exp per increment (a single one on a commutative group) and no logarithm.
+///
+/// On a non-commutative group, observe(j, P, m) is called for j = Order − 2 … 0 with the product of the factors from j
+/// on, P = A_{j+1} … A_{k−1}, and their velocity and acceleration in m.
 template <int D, LieGroup G, int Order, typename Observer = NoObserver>
 [[nodiscard]] inline Motion<G, D> evaluate_increments(const G& first, const auto& d,
                                                       const CumulativeBasis<ScalarOf<G>, Order, D>& basis,
@@ -52,13 +53,13 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
     if constexpr (D >= 2) m.acceleration = sum(lambda[2]);
     if constexpr (D >= 3) m.jerk = sum(lambda[3]);
   } else {
-    // Sums over the factors behind the current one, all seen from the end of the chain.
+    // Sums over the factors after the current one, all in the frame at the end of the chain.
     G P = exp_of_fraction<G>(lambda[0][last], d(last));
     if constexpr (D >= 1) m.velocity = lambda[1][last] * d(last);
     if constexpr (D >= 2) m.acceleration = lambda[2][last] * d(last);
     if constexpr (D >= 3) m.jerk = lambda[3][last] * d(last);
     observe(last, P, m);
-    // Unrolled: a compiler that leaves the loop keeps its sums in memory, and those that nobody reads alive.
+    // Unrolled: in a loop, compilers keep the sums in memory and compute even those that are never read.
     const auto factor = [&](std::size_t j) {
       if constexpr (D >= 1) {
         const Tangent<G> seen = adjoint_inverse<G>(P, d(j));
@@ -83,7 +84,7 @@ template <int D, LieGroup G, int Order, typename Observer = NoObserver>
   return m;
 }
 
-/// On a product, factor by factor: no factor pays for another's brackets.
+/// On a product each factor is evaluated separately, so none pays for another's brackets.
 template <int D, LieGroup... F, int Order>
 [[nodiscard]] inline Motion<Product<F...>, D> evaluate_increments(
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
@@ -106,7 +107,7 @@ template <int D, LieGroup... F, int Order>
   return m;
 }
 
-/// d_1 … d_{k−1} between the Order control points that shape a curve.
+/// d_1 … d_{k−1} between Order successive control points.
 template <LieGroup G, int Order>
 [[nodiscard]] inline FixedArray<Tangent<G>, Order - 1> increments_between(
     std::span<const G, static_cast<std::size_t>(Order)> control_points) {
@@ -115,8 +116,7 @@ template <LieGroup G, int Order>
   return d;
 }
 
-/// A span whose size is only known at run time as that of the Order control points that shape a curve.
-/// Throws std::invalid_argument for any other size.
+/// Converts a span of run-time size to one of Order control points. Throws std::invalid_argument for any other size.
 template <int Order, LieGroup G>
 [[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> exactly(std::span<const G> control_points) {
   if (control_points.size() != static_cast<std::size_t>(Order)) {
@@ -126,7 +126,8 @@ template <int Order, LieGroup G>
   return control_points.template first<static_cast<std::size_t>(Order)>();
 }
 
-/// The curve from the Order control points that shape it and the basis there, e.g. of UniformKnots::basis.
+/// The motion from the Order control points that determine the curve at a time, and the basis there, e.g. from
+/// UniformKnots::basis().
 template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How the terms of mechanics (motion/kinematics.hpp) change with the control points of a curve.
+/// Jacobians of angular rate, angular acceleration and specific force (motion/kinematics.hpp) with respect to the
+/// control points of a curve.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +10,15 @@
 
 namespace splinertia {
 
-/// 3 × 6: of some vector by a tangent of one control point.
+/// 3 × 6: the Jacobian of a vector with respect to the tangent of one control point.
 template <typename Scalar>
 using VectorJacobian = Eigen::Matrix<Scalar, 3, 6>;
 
-/// Where a pose's tangent keeps its rotation.
+/// First row of the rotation in the tangent of a pose.
 template <Pose G>
 inline constexpr int rotation_row = SplitPose<G> ? 0 : 3;
 
-/// Of ω, by control point j.
+/// Jacobian of ω (body frame) with respect to control point j.
 template <Pose G, int Order, int D>
   requires(D >= 1)
 [[nodiscard]] VectorJacobian<ScalarOf<G>> angular_velocity_jacobian(const Linearization<G, Order, D>& curve,
@@ -25,14 +26,15 @@ template <Pose G, int Order, int D>
   return curve.velocity_jacobian[j].template middleRows<3>(rotation_row<G>);
 }
 
-/// Of α, by control point j.
+/// Jacobian of α (body frame) with respect to control point j.
 template <Pose G, int Order>
 [[nodiscard]] VectorJacobian<ScalarOf<G>> angular_acceleration_jacobian(const Linearization<G, Order, 2>& curve,
                                                                         std::size_t j) {
   return curve.acceleration_jacobian[j].template middleRows<3>(rotation_row<G>);
 }
 
-/// Of the specific force f, given with the gravity g that it was taken with, by control point j.
+/// Jacobian of the specific force f (body frame) with respect to control point j. `force` is f, `gravity` (world frame)
+/// the g that f was computed with.
 ///   SO3xR3:  f = Rᵀ(p̈ − g)            df = f^ dφ + Rᵀ dp̈
 ///   SE3:     f = v̇ + ω × v − Rᵀg      df = dv̇ + ω^ dv − v^ dω − (Rᵀg)^ dφ
 template <Pose G, int Order>

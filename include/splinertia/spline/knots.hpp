@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a curve asks of its knots: where it is defined, which control points shape it at a time, and how much each.
+/// The Knots concept: where a curve is defined, which control points determine it at a time, and its basis there.
 #pragma once
 
 #include <cassert>
@@ -23,13 +23,13 @@ struct Domain {
   Time end;
 
   [[nodiscard]] constexpr bool contains(Time t) const { return t >= start && t <= end; }
-  /// The nearest time of the domain; the start for NaN.
+  /// The time in the domain nearest to t; `start` for NaN.
   [[nodiscard]] constexpr Time clamp(Time t) const { return !(t > start) ? start : t < end ? t : end; }
 };
 
 namespace detail {
 
-/// Prints what an assertion cannot: which time. Returns false.
+/// Prints t and the domain, which assert() cannot. Returns false.
 template <TimePoint Time>
 bool report_outside(const Domain<Time>& domain, Time t) {
   if constexpr (std::floating_point<Time>) {
@@ -50,9 +50,9 @@ void assert_inside([[maybe_unused]] const Domain<Time>& domain, [[maybe_unused]]
   assert(domain.contains(t) || report_outside(domain, t));
 }
 
-/// Throws std::invalid_argument unless a basis can be made of spans of these lengths, s, in Time and in Real, the
-/// numbers of the curve: all lengths and their reciprocals, and 7/length (the derivative at order 8), must be normal
-/// numbers. A higher derivative that exceeds Real is not finite.
+/// Throws std::invalid_argument unless a basis can be computed for spans of `shortest` to `longest`, s, in both Time
+/// and Real, the scalar of the curve. All lengths, their reciprocals, and 7/length (the derivative at order 8) must be
+/// normal numbers. A higher derivative that overflows Real is not finite.
 template <typename Real, std::floating_point Time>
 void check_lengths(std::string_view whose, Time shortest, Time longest) {
   using RealLimits = std::numeric_limits<Real>;
@@ -68,7 +68,7 @@ void check_lengths(std::string_view whose, Time shortest, Time longest) {
   }
 }
 
-/// What a curve over Time computes in, if its scalar is not known.
+/// The scalar assumed for a curve over Time if its own is unknown.
 template <TimePoint Time>
 struct UsualScalar {
   using type = double;
@@ -80,30 +80,31 @@ struct UsualScalar<Time> {
 
 }  // namespace detail
 
-/// Where a time falls: the first of the Order control points that shape the curve there, and the basis.
+/// The basis at one time. `first` is the index of the first of the Order control points that determine the curve there.
 template <typename Scalar, int Order, int D>
 struct BasisAt {
   std::size_t first;
   CumulativeBasis<Scalar, Order, D> basis;
 };
 
-/// Knots of a curve, of one Time: UniformKnots, NonUniformKnots. They know neither the control points nor their group,
-/// and are given the number of them: an optimiser may own the points (spline/evaluate.hpp takes them beside a basis).
+/// The knots of a curve over one type of Time: UniformKnots, NonUniformKnots. Knots know neither the control points nor
+/// their group; functions take the number of control points. So an optimiser may own the control points
+/// (spline/evaluate.hpp takes them together with a basis).
 template <typename K>
 concept Knots = std::copyable<K> && TimePoint<typename K::Time> &&
                 requires(const K& knots, std::size_t control_points, int order, typename K::Time t) {
-                  // Throws std::invalid_argument unless these are the knots of a curve of that order with so many
-                  // control points, of which there are at least `order`, in a plain Scalar: template <typename Scalar>
-                  // check(n, order). What is below requires that this does not throw.
+                  // template <typename Scalar> check(n, order), for a plain Scalar: throws std::invalid_argument unless
+                  // these are the knots of a curve of that order with n >= order control points. The functions below
+                  // require that it does not throw.
                   knots.template check<double>(control_points, order);
                   { knots.domain(control_points, order) } -> std::same_as<Domain<typename K::Time>>;
                   // The knot where segment 0, 1, … of the domain begins, and the time that control point 0, 1, …
                   // belongs to.
                   { knots.knot(control_points, order) } -> std::same_as<typename K::Time>;
                   { knots.control_point_time(control_points, order) } -> std::same_as<typename K::Time>;
-                  // The basis at t, for any Scalar, Order and D: template <typename Scalar, int Order, int D> basis(t,
-                  // n). A knot belongs to the span that it begins, the end to the last span that is not empty. Outside
-                  // the domain (asserted) the basis is that of the first or last span that is not empty, at that t.
+                  // template <typename Scalar, int Order, int D> basis(t, n): the basis at t for any Scalar, Order and
+                  // D. A knot belongs to the span that it begins, the end of the domain to the last non-empty span.
+                  // Outside the domain (asserted) the first or last non-empty span is extrapolated to t.
                   { knots.template basis<double, 4, 2>(t, control_points) } -> std::same_as<BasisAt<double, 4, 2>>;
                 };
 

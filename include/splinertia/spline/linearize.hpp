@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// The value and derivatives of a cumulative B-spline together with their Jacobians with respect to the control points,
-/// in one pass that is linear in the order: for estimators.
+/// Value and derivatives of a cumulative B-spline with their Jacobians with respect to the control points, for
+/// estimators. One pass, linear in the order.
 ///
-/// All perturbations are on the right: X_i ⊞ δ = X_i exp(δ) of a control point moves the value by X ⊞ (J δ) and the
-/// velocity and acceleration by J δ. Derivatives with respect to time are the next members of the motion: moving t by
-/// δt moves the value by X ⊞ (velocity δt), the velocity by acceleration δt, the acceleration by jerk δt.
+/// All perturbations are on the right. If a control point becomes X_i ⊞ δ = X_i exp(δ), the value becomes X ⊞ (J δ),
+/// and velocity and acceleration change by J δ. Derivatives with respect to time are the next members of the motion: if
+/// t changes by δt, the value becomes X ⊞ (velocity δt), and the velocity changes by acceleration δt, the acceleration
+/// by jerk δt.
 #pragma once
 
 #include <array>
@@ -37,14 +38,14 @@ struct AccelerationJacobians<G, Order, true> {
   ControlPointJacobians<G, Order> acceleration_jacobian;
 };
 
-/// A motion and its Jacobians. As in Motion, what was not asked for does not exist.
+/// A motion and its Jacobians. As in Motion, derivatives that were not requested do not exist.
 template <LieGroup G, int Order, int D>
   requires(0 <= D && D <= 2)
 struct Linearization : Motion<G, D>, VelocityJacobians<G, Order, (D >= 1)>, AccelerationJacobians<G, Order, (D >= 2)> {
   ControlPointJacobians<G, Order> value_jacobian;
 };
 
-/// f(I) for I = 0 … D with the Jacobians of the I-th derivative of each of the linearizations.
+/// Calls f with the Jacobians of the value, then of each derivative up to the D-th, one argument per linearization.
 template <int D>
 inline void for_each_derivative(const auto& f, auto&... linearizations) {
   f(linearizations.value_jacobian...);
@@ -52,7 +53,7 @@ inline void for_each_derivative(const auto& f, auto&... linearizations) {
   if constexpr (D >= 2) f(linearizations.acceleration_jacobian...);
 }
 
-/// What a group multiplies its Jacobians as.
+/// The type in which Jacobians of G are multiplied: GroupTraits<G>::Operator, by default Jacobian<G>.
 template <LieGroup G>
 struct OperatorSelector {
   using type = Jacobian<G>;
@@ -99,7 +100,7 @@ template <LieGroup G>
   }
 }
 
-/// The identity.
+/// The identity as an Operator.
 template <LieGroup G>
 [[nodiscard]] inline Operator<G> identity_operator() {
   if constexpr (requires { Operator<G>::identity(); }) {
@@ -109,16 +110,17 @@ template <LieGroup G>
   }
 }
 
-/// The motion and its Jacobians from the first control point and the increments, as evaluate_increments. Allocates
+/// The motion and its Jacobians from the first control point and the increments, as evaluate_increments(). Allocates
 /// nothing.
 ///
-/// Each derivative is differentiated with respect to the increments d_j, in the frame of the result,
+/// First, each derivative is differentiated with respect to the increments d_j, in the frame of the result:
 ///   value         D_j = λ_j Π_j J_r(λ_j d_j),                  Π_j = Ad((A_{j+1} … A_{k−1})⁻¹)
 ///   velocity      W_j = [ω̃_{j−1}, D_j] + λ̇_j Π_j
 ///   acceleration  A_j = [α̃_{j−1}, D_j] + λ̇_j [ω̃_j, Π_j] + λ̈_j Π_j − [s_{j−1}, W_j]
-/// where s_j, s'_j are what the factors behind the j-th contribute, ω̃_j = ω − s_j, α̃_j = α − s'_j − [ω̃_j, s_j]; and
-/// those with respect to the control points: d_j grows by J_r⁻¹(d_j) δ with X_j and shrinks by J_l⁻¹(d_j) δ with
-/// X_{j−1}, where J_r⁻¹(d) = J_l⁻¹(d) + ad_d. Sommer et al., CVPR 2020, section 5, for any group.
+/// Here s_j and s'_j are the velocity and acceleration of the factors after the j-th, ω̃_j = ω − s_j and
+/// α̃_j = α − s'_j − [ω̃_j, s_j]. Then the chain rule gives the Jacobians with respect to the control points: δ at X_j
+/// changes d_j by J_r⁻¹(d_j) δ, and δ at X_{j−1} changes it by −J_l⁻¹(d_j) δ, where J_r⁻¹(d) = J_l⁻¹(d) + ad_d.
+/// Sommer et al., CVPR 2020, section 5, for any group.
 template <int D, LieGroupWithJacobians G, int Order>
 [[nodiscard]] inline Linearization<G, Order, D> linearize_pass(const G& first, const auto& d,
                                                                const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
@@ -145,7 +147,7 @@ template <int D, LieGroupWithJacobians G, int Order>
         },
         result);
   } else {
-    // What the factors from j on make; nothing for j = Order − 1.
+    // Product, velocity and acceleration of the factors from j on. There are none for j = Order − 1.
     std::array<G, factors> P;
     std::array<Tangent<G>, factors + 1> s, s_dot;
     s[factors].setZero();
@@ -154,7 +156,8 @@ template <int D, LieGroupWithJacobians G, int Order>
       if constexpr (D >= 1) s[j] = sum.velocity;
       if constexpr (D >= 2) s_dot[j] = sum.acceleration;
     });
-    // Whatever changes with X_{j−1} through d_j is taken from what it changes through d_{j−1}, or X_0 moves with it.
+    // through_last[n]: the Jacobian of derivative n by control point j through increment d(j − 1), for j = 0 through
+    // the factor X_0. chain() subtracts the part through d(j).
     FixedArray<Operator<G>, D + 1> through_last;
     through_last.fill(Scalar(0) * identity_operator<G>());
     through_last[0] = adjoint_inverse_operator<G>(P[0]);
@@ -189,14 +192,14 @@ template <int D, LieGroupWithJacobians G, int Order>
   return result;
 }
 
-/// linearize_pass, flattened.
+/// linearize_pass() with all calls inlined (detail/flatten.hpp).
 template <int D, LieGroupWithJacobians G, int Order>
 [[nodiscard]] inline Linearization<G, Order, D> linearize_increments(
     const G& first, const auto& d, const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
   return flattened<ScalarOf<G>>([&] { return linearize_pass<D>(first, d, basis); });
 }
 
-/// On a product, factor by factor: the Jacobians are block-diagonal.
+/// On a product each factor is linearized separately: the Jacobians are block-diagonal.
 template <int D, LieGroupWithJacobians... F, int Order>
 [[nodiscard]] inline Linearization<Product<F...>, Order, D> linearize_increments(
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
@@ -228,7 +231,7 @@ template <int D, LieGroupWithJacobians... F, int Order>
   return result;
 }
 
-/// The motion and its Jacobians from the Order control points that shape the curve, as evaluate().
+/// The motion and its Jacobians from Order control points and the basis, as evaluate().
 template <int D, LieGroupWithJacobians G, int Order>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(
     std::span<const G, static_cast<std::size_t>(Order)> control_points,

@@ -18,17 +18,18 @@
 
 namespace splinertia {
 
-/// Knots τ_0 ≤ τ_1 ≤ … at any times: n control points of order k need n + k of them. The curve is defined on
-/// [τ_{k−1}, τ_n], and shaped by X_{i−k+1} … X_i on the span [τ_i, τ_{i+1}]:
+/// Knots τ_0 ≤ τ_1 ≤ … at arbitrary times: n control points of order k need n + k knots. The curve is defined on
+/// [τ_{k−1}, τ_n]. On the span [τ_i, τ_{i+1}] the control points X_{i−k+1} … X_i determine it:
 ///
 ///   control points          X_0  X_1  X_2  X_3  X_4  X_5               order 4
 ///   knots         τ_0  τ_1  τ_2  τ_3  τ_4  τ_5  τ_6  τ_7  τ_8  τ_9
 ///   domain                       |----|----|----|
 ///
-/// Knots may coincide. Where m of them do inside the domain, the curve is k − 1 − m times continuously differentiable:
-/// at m = k − 1 it is continuous, has a corner, and passes through a control point; m = k would tear it and is refused.
-/// At the ends of the domain there is nothing to tear: k knots there make the curve begin (end) at the first (last)
-/// control point. The first and the last knot of all shape nothing; they are there by custom (De Boor 1978).
+/// Knots may coincide. At a knot of multiplicity m inside the domain the curve is k − 1 − m times continuously
+/// differentiable. With m = k − 1 it is continuous, has a corner, and passes through a control point. Multiplicity k
+/// would make the curve discontinuous and is rejected. At the ends of the domain it is allowed: with k knots there, the
+/// curve begins (ends) at the first (last) control point. The first and the last knot have no influence on the curve;
+/// they exist by convention (De Boor 1978).
 ///
 ///   Spline<SO3xR3<double>, 4, NonUniformKnots<double>> curve({.knots = {0, 0, 0, 0, 0.1, 0.5, 2, 2, 2, 2}}, points);
 template <TimePoint T = double>
@@ -38,8 +39,8 @@ struct NonUniformKnots {
   std::vector<Time> knots;  ///< ascending, s for a floating-point Time
 
   /// Throws std::invalid_argument unless these are control_points + order finite numbers in ascending order, the domain
-  /// is not empty, no knot inside it is there `order` times, and Time and Scalar, that of the curve, hold the lengths
-  /// of all spans and their reciprocals.
+  /// is not empty, every knot inside it has a multiplicity below `order`, and Time and Scalar, the scalar of the curve,
+  /// can represent the lengths of all spans and their reciprocals.
   template <typename Scalar = typename detail::UsualScalar<Time>::type>
   void check(std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
@@ -81,12 +82,12 @@ struct NonUniformKnots {
     }
   }
 
-  /// From knot order − 1 to the one that has as many behind it.
+  /// [τ_{k−1}, τ_n]: from knot order − 1 to knot control_points.
   [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
     return {knots[static_cast<std::size_t>(order) - 1], knots[control_points]};
   }
 
-  /// The knot where span s begins, and span s − 1 ends.
+  /// The knot where span s begins and span s − 1 ends.
   [[nodiscard]] Time knot(std::size_t s, int order) const { return knots[s + static_cast<std::size_t>(order) - 1]; }
 
   /// The time that control point i belongs to: the mean of the knots inside its support (Greville's abscissa).
@@ -97,14 +98,14 @@ struct NonUniformKnots {
     return after(knots[i + 1], sum / (order - 1));
   }
 
-  /// The span that t falls in: a knot belongs to the one that it begins, the end to the last that is not empty.
-  /// Outside the domain (asserted) the first or the last that is not empty. Takes a time logarithmic in the number of
-  /// knots.
+  /// The index of the span that contains t. A knot belongs to the span that it begins, the end of the domain to the
+  /// last non-empty span. Outside the domain (asserted): the first or last non-empty span. Takes time logarithmic in
+  /// the number of knots.
   [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
     return place(t, control_points, order).span;
   }
 
-  /// The basis at t. Takes a time logarithmic in the number of knots to find the span.
+  /// The basis at t. Finding the span takes time logarithmic in the number of knots.
   template <typename Scalar, int Order, int D>
   [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
     const auto [s, time] = place(t, control_points, Order);
@@ -113,7 +114,7 @@ struct NonUniformKnots {
     return {s, nonuniform_basis<Order, D, Scalar>(around, time)};
   }
 
-  /// Span s of a curve, prepared for many times in it.
+  /// Span s of a curve, prepared for evaluating its basis at many times.
   template <int Order>
   class Segment {
     static constexpr std::size_t k = Order;
@@ -125,8 +126,8 @@ struct NonUniformKnots {
     [[nodiscard]] Time begin() const { return around_[k - 2]; }
     [[nodiscard]] Time end() const { return around_[k - 1]; }
 
-    /// The basis at several times, to the bit as basis() gives it: seconds where Time is double, ticks since begin()
-    /// where it is an integer.
+    /// The basis at several times, bitwise equal to basis(). t is in seconds if Time is double, in ticks since begin()
+    /// if it is an integer duration.
     template <int D, typename Real, int N, int Bytes>
     [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
       using L = Lanes<Real, N, Bytes>;
@@ -140,7 +141,7 @@ struct NonUniformKnots {
     }
 
    private:
-    // A knot in the units and from the origin of basis()'s t.
+    // The time of a knot, in the units and from the origin of t in basis().
     [[nodiscard]] double place(Time knot) const {
       if constexpr (std::floating_point<Time>) {
         return static_cast<double>(knot);
@@ -154,7 +155,7 @@ struct NonUniformKnots {
  private:
   struct Place {
     std::size_t span;
-    Time time;  // what was asked for, as far as Time holds its differences from the knots
+    Time time;  // t, clamped so that Time can represent its differences from the knots
   };
   [[nodiscard]] Place place(Time t, std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
@@ -165,14 +166,14 @@ struct NonUniformKnots {
       return place_at_end(t, control_points, order);
     return {static_cast<std::size_t>(std::upper_bound(begin, end, t) - begin), t};
   }
-  // The same for t at the end of the domain, or outside.
+  // place() for t at the end of the domain or outside it.
   [[nodiscard, gnu::cold]] Place place_at_end(Time t, std::size_t control_points, int order) const {
     const Domain<Time> curve = domain(control_points, order);
     detail::assert_inside(curve, t);
     const Time* const begin = knots.data() + order;
     const Time* const end = knots.data() + control_points;
     const bool behind = t >= curve.end;
-    // The first knot behind the first span that is not empty, or the last.
+    // The knot that ends the last (`behind`) or the first non-empty span.
     const Time* const next =
         behind ? std::lower_bound(begin, end, curve.end) : std::upper_bound(begin, end, curve.start);
     if constexpr (!std::floating_point<Time>) {

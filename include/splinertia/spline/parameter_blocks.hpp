@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// Curves straight from the parameter blocks of an optimiser (`double const* const*` of Ceres, pointers into any
-/// storage of yours): no Spline object, no second copy of the control points.
+/// Evaluates curves directly on the parameter blocks of an optimiser (`double const* const*` of Ceres, or pointers into
+/// your own storage), without a Spline object and without a second store of control points.
 ///
 ///   // T_0 … T_3 as 7 numbers each, anywhere in memory
 ///   const double* blocks[4] = {…};
 ///   auto m = evaluate<2, Sophus::SE3d>(blocks, basis);    // as evaluate(std::span, basis)
 ///   auto l = linearize<2, Sophus::SE3d>(blocks, basis);   // Jacobians by right perturbations, Dof × Dof
 ///
-/// A block holds the numbers of group/parameters.hpp and needs no alignment beyond that of a Scalar. The factors of a
-/// product have blocks of their own, first all Order blocks of the first factor, then those of the next:
+/// A block holds the parameters of group/parameters.hpp and needs only the alignment of a Scalar. Each factor of a
+/// product has its own blocks: first the Order blocks of the first factor, then those of the next:
 ///
 ///   SO3xR3, order 4:   R_0 R_1 R_2 R_3 p_0 p_1 p_2 p_3
 #pragma once
@@ -24,12 +24,12 @@
 
 namespace splinertia {
 
-/// The parts of a control point of type G that have blocks of their own: the factors of a product, else G itself.
+/// The parts of a control point that have their own blocks: the factors of a product, otherwise G itself.
 template <typename G>
 struct ControlPointParts {
   static constexpr std::size_t count = 1;
   template <std::size_t>
-  static constexpr int offset = 0;  // where the tangent of a part begins in that of G
+  static constexpr int offset = 0;  // first row of the part's tangent in that of G
   template <std::size_t>
   static auto& part(auto& x) {
     return x;
@@ -46,7 +46,7 @@ struct ControlPointParts<Product<F...>> {
   }
 };
 
-/// f<I>() for each part I of G.
+/// Calls f<I>() for each part I of G.
 template <LieGroup G>
 inline void for_each_part(const auto& f) {
   [&]<std::size_t... Index>(std::index_sequence<Index...>) {
@@ -54,7 +54,7 @@ inline void for_each_part(const auto& f) {
   }(std::make_index_sequence<ControlPointParts<G>::count>{});
 }
 
-/// The Order control points in `blocks`, of which there are Order for each part of G.
+/// Reads the Order control points from `blocks`, which holds Order blocks for each part of G.
 template <HasParameterLayout G, int Order>
 [[nodiscard]] inline std::array<G, static_cast<std::size_t>(Order)> read_control_points(
     const ScalarOf<G>* const* blocks) {
@@ -68,7 +68,7 @@ template <HasParameterLayout G, int Order>
   return points;
 }
 
-/// evaluate() of the control points in `blocks`. The order is that of the basis.
+/// evaluate() on the control points in `blocks`. The order is that of the basis.
 template <int D, HasParameterLayout G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(const ScalarOf<G>* const* blocks,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
@@ -76,8 +76,8 @@ template <int D, HasParameterLayout G, int Order>
   return evaluate<D, G, Order>(std::span<const G, static_cast<std::size_t>(Order)>(points), basis);
 }
 
-/// linearize() of the control points in `blocks`. The Jacobians are by tangents of the control points: chain them with
-/// ParameterLayout<G>::parameters_to_tangent for an optimiser that wants them by the numbers in the blocks.
+/// linearize() on the control points in `blocks`. The Jacobians are with respect to tangents of the control points.
+/// Right-multiply by ParameterLayout<G>::parameters_to_tangent for Jacobians with respect to the numbers in the blocks.
 template <int D, HasParameterLayout G, int Order>
   requires LieGroupWithJacobians<G>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(const ScalarOf<G>* const* blocks,

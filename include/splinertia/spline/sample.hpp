@@ -15,13 +15,13 @@
 
 namespace splinertia {
 
-/// The motion at many times: as sample<D>() gives it.
+/// The motion at many times, the result of sample<D>().
 ///
 ///   const auto samples = sample<1>(curve, curve.start(), 0.001, 10000);
-///   samples[17].velocity;                     // a Motion, made of the numbers of one sample
+///   samples[17].velocity;                     // a Motion, assembled from the numbers of one sample
 ///   samples.velocity().row(2);                // one component at all times, contiguous
 ///
-/// The values of a group without ParameterLayout, such as one of your own, are kept as they are.
+/// Values of a group without ParameterLayout, such as your own, are stored as objects.
 template <LieGroup G, int D>
 class MotionSamples {
  public:
@@ -55,8 +55,8 @@ class MotionSamples {
   [[nodiscard]] SampleIterator<MotionSamples> begin() const { return {*this, 0}; }
   [[nodiscard]] SampleIterator<MotionSamples> end() const { return {*this, size()}; }
 
-  /// The numbers of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size():
-  /// where they are kept, or of a temporary, a copy.
+  /// The parameters of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size(). A
+  /// view of the stored numbers, or, for a temporary, a copy.
   [[nodiscard]] auto value() const&
     requires has_parameters
   {
@@ -102,7 +102,7 @@ class MotionSamples {
    public:
     explicit Writer(MotionSamples& samples) : rows_(samples.rows_), values_(samples.values_.data()) {}
 
-    /// Sample i, or where H is G in lanes, those from i on.
+    /// Writes sample i, or, if the scalar of H is a SIMD pack, samples i, i + 1, ….
     template <LieGroup H>
     void write(std::size_t i, const Motion<H, D>& m) const {
       if constexpr (has_parameters) {
@@ -124,11 +124,11 @@ class MotionSamples {
 
  private:
   Rows rows_;
-  std::vector<G> values_;  // empty where they are among the rows
+  std::vector<G> values_;  // empty if the rows hold the values
 };
 
-/// Samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant memory. As
-/// sample() below.
+/// Evaluates samples first … first + count − 1 of `times` into `samples`, whose memory is reused: long runs need
+/// constant memory. Throws as sample() below.
 template <int D, typename C>
   requires Trajectory<C, D>
 void sample(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
@@ -140,10 +140,12 @@ void sample(const C& curve, const SampleTimes<typename C::Time>& times, std::siz
                      [first, to](std::size_t i, const auto& motion) { to.write(i - first, motion); });
 }
 
-/// Value and first D derivatives of a curve at `count` times from `start` on, `interval` apart: as evaluate<D>() at
-/// each of them gives, but several at once and several times as fast (spline/detail/lane_samples.hpp; other curves than
-/// LaneCurves are evaluated one by one). Throws std::invalid_argument for an interval that is not positive,
-/// std::out_of_range for times that the curve is not defined at; the last may be behind its end by rounding.
+/// Value and first D derivatives of a curve at `count` times from `start` on, `interval` apart. The results are those
+/// of evaluate<D>(). A LaneCurve is evaluated at several times at once, which is several times as fast
+/// (spline/detail/lane_samples.hpp); other curves are evaluated at one time after the other.
+///
+/// Throws std::invalid_argument unless the interval is positive and finite, and std::out_of_range if a time is outside
+/// the domain of the curve. The last may exceed its end by rounding.
 template <int D, typename C>
   requires Trajectory<C, D>
 [[nodiscard]] MotionSamples<typename C::Group, D> sample(const C& curve, typename C::Time start,

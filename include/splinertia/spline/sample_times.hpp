@@ -15,8 +15,7 @@
 
 namespace splinertia {
 
-/// Times at a constant interval: sample i is at start + i·interval, rounded once or, where the target multiplies and
-/// adds in two steps, twice.
+/// Times at a constant interval: sample i is at start + i·interval. This is rounded once with FMA and twice without.
 template <TimePoint T = double>
 struct SampleTimes {
   using Time = T;
@@ -28,13 +27,13 @@ struct SampleTimes {
     if constexpr (std::floating_point<Time>) {
       return start + static_cast<Time>(i) * interval;
     } else {
-      // Unsigned: samples behind the last one, which evaluate_lanes() computes too, may be later than any time.
+      // Unsigned: evaluate_lanes() also computes times after the last sample, which may overflow Time.
       const auto ticks = [](auto x) { return static_cast<std::uintmax_t>(x); };
       return Time(static_cast<typename Time::rep>(ticks(start.count()) + ticks(i) * ticks(interval.count())));
     }
   }
 
-  /// Those of the samples from i on. Time is double.
+  /// The times of samples i, i + 1, … in one SIMD pack. Time is double.
   template <typename L>
   [[nodiscard]] L lanes(std::size_t i) const
     requires std::same_as<Time, double>
@@ -42,7 +41,7 @@ struct SampleTimes {
     return L(start) + (L(static_cast<double>(i)) + L::ramp()) * L(interval);
   }
 
-  /// About how many intervals a duration has.
+  /// duration / interval, approximately.
   [[nodiscard]] double intervals(Time duration) const {
     if constexpr (std::floating_point<Time>) {
       return static_cast<double>(duration / interval);
@@ -55,8 +54,8 @@ struct SampleTimes {
 template <typename T>
 SampleTimes(T, T) -> SampleTimes<T>;
 
-/// Throws std::invalid_argument unless the interval is positive, std::out_of_range unless the first `count` times are
-/// between start and end; the last may be behind by rounding.
+/// Throws std::invalid_argument unless the interval is positive and finite, and std::out_of_range unless the first
+/// `count` times are in [start, end]. The last may exceed `end` by rounding.
 template <TimePoint Time>
 inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count, Time start, Time end) {
   if (!(times.interval > Time{}) || !is_finite(times.interval)) {

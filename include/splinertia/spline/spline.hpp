@@ -19,22 +19,22 @@
 
 namespace splinertia {
 
-/// A linearization of a Spline, with the index of the first of the Order control points that it is with respect to.
+/// A linearization of a Spline. `first` is the index of the first of the Order control points that it refers to.
 template <LieGroup G, int Order, int D>
 struct LinearizationAt : Linearization<G, Order, D> {
   std::size_t first;
 };
 
-/// A cumulative B-spline of order k = degree + 1 on a Lie group: Order − 2 times continuously differentiable, shaped
-/// locally by Order control points. The control points are not on the curve.
+/// A cumulative B-spline of order k = degree + 1 on a Lie group. It is Order − 2 times continuously differentiable, and
+/// at any time Order control points determine it. From order 3 on they are in general not on the curve.
 ///
 ///   Spline<SO3xR3<double>, 4> curve({.start = 0.0, .interval = 0.1}, control_points);
 ///   auto m = curve.evaluate<2>(t);      // m.value, m.velocity, m.acceleration
 ///
-/// Knots are uniform in double seconds unless said otherwise; NonUniformKnots may be where they like.
+/// Knots are uniform in double seconds by default; NonUniformKnots may be anywhere.
 ///
-/// The increments d_i = log(X_i⁻¹ X_{i+1}) are kept beside the control points, so that evaluation computes no logarithm
-/// and, like everything else here but the constructor, allocates nothing.
+/// The increments d_i = log(X_i⁻¹ X_{i+1}) are stored with the control points, so evaluation computes no logarithm.
+/// Only the constructor allocates.
 template <LieGroup G, int Order, Knots K = UniformKnots<double>>
 class Spline {
   static_assert(is_supported_order<Order>, "Spline: orders 2 (linear) to 8 are supported");
@@ -45,8 +45,8 @@ class Spline {
   using Time = typename K::Time;
   static constexpr int order = Order;
 
-  /// Throws std::invalid_argument for fewer control points than Order, bad knots, or a control point that is not finite
-  /// or off its group by more than 0.001. One that has drifted by more than rounding, but less, is normalised.
+  /// Throws std::invalid_argument for fewer than Order control points, invalid knots, or a control point that is not
+  /// finite or off its group by more than 0.001. Smaller deviations are normalised unless they are rounding.
   Spline(K knots, std::vector<G> control_points)
       : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
@@ -61,7 +61,7 @@ class Spline {
     }
   }
 
-  /// Points of another group, or with an allocator of their own.
+  /// Rejects control points of another group, or in a vector with another allocator.
   template <typename OtherPoint, typename OtherAllocator>
     requires(!std::same_as<std::vector<OtherPoint, OtherAllocator>, std::vector<G>>)
   Spline(K, const std::vector<OtherPoint, OtherAllocator>& control_points) = delete;
@@ -75,8 +75,8 @@ class Spline {
   /// The nearest time to t at which the curve is defined; start() for NaN.
   [[nodiscard]] Time clamp(Time t) const { return domain().clamp(t); }
 
-  /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted). Outside, the curve of its first or
-  /// last segment goes on, and soon far away; at() throws there, and clamp() stays at the end.
+  /// Value and first D derivatives at t. Requires start() <= t <= end() (asserted). Outside, the first or last segment
+  /// is extrapolated and soon far away; at() throws there, and clamp(t) is in the domain.
   template <int D>
   [[nodiscard]] Motion<G, D> evaluate(Time t) const {
     return flattened<Scalar>([&] {
@@ -98,7 +98,7 @@ class Spline {
             place.first};
   }
 
-  /// As evaluate(); throws std::out_of_range unless start() <= t <= end().
+  /// evaluate() that throws std::out_of_range unless start() <= t <= end().
   template <int D>
   [[nodiscard]] Motion<G, D> at(Time t) const {
     if (!contains(t)) {
@@ -109,14 +109,14 @@ class Spline {
   }
 
   [[nodiscard]] const K& knots() const { return knots_; }
-  /// Spans between knots of the domain, those of no length included.
+  /// Number of spans between the knots of the domain, empty ones included.
   [[nodiscard]] std::size_t segments() const { return control_points_.size() - static_cast<std::size_t>(Order) + 1; }
   [[nodiscard]] const std::vector<G>& control_points() const { return control_points_; }
-  /// increments()[i] leads from control point i to the next.
+  /// increments()[i] = log(X_i⁻¹ X_{i+1}).
   [[nodiscard]] const std::vector<Tangent<G>>& increments() const { return increments_; }
 
-  /// Moves control point i and renews the two increments that it touches. Requires i < control_points().size().
-  /// Throws std::invalid_argument as the constructor does, and leaves the curve as it was.
+  /// Replaces control point i and recomputes the increments before and after it. Requires i < control_points().size()
+  /// (asserted). Throws std::invalid_argument as the constructor does; the curve is then unchanged.
   void set_control_point(std::size_t i, const G& x) {
     assert(i < control_points_.size());
     const G moved = on_group(x, i);
@@ -129,16 +129,16 @@ class Spline {
   }
 
  private:
-  /// d(j) of the Order control points from `first` on.
+  /// d(j) of evaluate_increments() for the Order control points from `first` on.
   [[nodiscard]] auto increments_from(std::size_t first) const {
     return [d = increments_.data() + first](std::size_t j) -> const Tangent<G>& { return d[j]; };
   }
 
-  /// x as it is where it is on the group to rounding; else, where it has drifted, the element next to it.
+  /// x itself if it is on the group to rounding, otherwise x normalised. Throws if it is off by more than 0.001.
   [[nodiscard]] static G on_group(const G& x, [[maybe_unused]] std::size_t i) {
     if constexpr (std::floating_point<Scalar> && requires { GroupTraits<G>::normalized(x); }) {
-      // Normalising rounds, which increments much smaller than 1 would feel: numbers that were rounded already, to
-      // Scalar or, as most data, to double, stay as they are.
+      // Normalising rounds, which would disturb increments much smaller than 1. So numbers that are rounded to Scalar,
+      // or, as most data, to double, stay unchanged.
       constexpr Scalar rounding =
           4 * (std::max)(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
       constexpr Scalar tolerance = Scalar(1) / Scalar(1000);
@@ -154,7 +154,7 @@ class Spline {
     }
   }
 
-  /// From control point i, x, to the next, y.
+  /// The increment from control point i, x, to the next, y. Throws std::invalid_argument unless it is finite.
   [[nodiscard]] static Tangent<G> checked_increment([[maybe_unused]] std::size_t i, const G& x, const G& y) {
     const Tangent<G> d = increment<G>(x, y);
     if constexpr (std::floating_point<Scalar>) {

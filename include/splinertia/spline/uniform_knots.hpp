@@ -21,9 +21,10 @@ namespace splinertia {
 ///
 ///   control points   X_0      X_1      X_2      X_3      X_4      X_5          order 4
 ///   time                     start   +1·int   +2·int    (end)
-///   segments                   |--- 0 ---|--- 1 ---|--- 2 ---|
+///   segments                   |-- 0 ---|-- 1 ---|-- 2 ---|
 ///
-/// Segment s uses X_s … X_{s+k−1}. For even orders control point i belongs to start + (i − k/2 + 1)·interval.
+/// Segment s uses X_s … X_{s+k−1}. Control point i belongs to the time start + (i − k/2 + 1)·interval, for odd k
+/// halfway between two knots.
 template <TimePoint T = double>
 struct UniformKnots {
   using Time = T;
@@ -31,8 +32,8 @@ struct UniformKnots {
   Time start;     ///< where the curve begins, s for a floating-point Time
   Time interval;  ///< > 0
 
-  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, Time reaches to the end and
-  /// tells the knots apart, and Scalar, that of the curve, holds the interval and its reciprocal.
+  /// Throws std::invalid_argument unless start is finite, interval is positive and finite, Time can represent the end
+  /// and tell the knots apart, and Scalar, the scalar of the curve, can represent the interval and its reciprocal.
   template <typename Scalar = typename detail::UsualScalar<Time>::type>
   void check(std::size_t control_points, int order) const {
     const auto number = printable(interval);
@@ -70,7 +71,7 @@ struct UniformKnots {
     return {start, knot(control_points - static_cast<std::size_t>(order) + 1, order)};
   }
 
-  /// The knot where segment s begins, and segment s − 1 ends.
+  /// The knot where segment s begins and segment s − 1 ends.
   [[nodiscard]] Time knot(std::size_t s, [[maybe_unused]] int order) const {
     if constexpr (std::floating_point<Time>) {
       return start + static_cast<Time>(s) * interval;
@@ -84,13 +85,13 @@ struct UniformKnots {
     return after(start, (static_cast<double>(i) + 1 - 0.5 * order) * to_seconds<double>(interval));
   }
 
-  /// The segment that t falls in: a knot belongs to the one that it begins, the end to the last.
-  /// Outside the domain (asserted) the first or the last.
+  /// The index of the segment that contains t. A knot belongs to the segment that it begins, the end of the domain to
+  /// the last segment. Outside the domain (asserted): the first or last segment.
   [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
     detail::assert_inside(domain(control_points, order), t);
     const std::size_t last = control_points - static_cast<std::size_t>(order);
     if constexpr (std::floating_point<Time>) {
-      // The quotient may round up to the next integer; the remainder, which fma gives exactly, tells.
+      // The quotient may round up to the next integer. The sign of the remainder, which fma gives exactly, shows it.
       const Time quotient = (t - start) / interval;
       const Time clamped = quotient > Time(0) ? quotient : Time(0);
       const std::size_t s =
@@ -108,7 +109,7 @@ struct UniformKnots {
     const std::size_t s = segment(t, control_points, Order);
     Real u;
     if constexpr (!std::floating_point<Time>) {
-      // Of two differences from the start: that of t from a knot may be longer than Time holds.
+      // A difference of two times since the start, because t − knot may overflow Time.
       const Time since_knot = time_between(start, t) - (knot(s, Order) - start);
       u = static_cast<Real>(since_knot.count()) / static_cast<Real>(interval.count());
     } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
@@ -119,7 +120,7 @@ struct UniformKnots {
     return {s, uniform_basis<Order, D, Real, Scalar>(u, to_seconds<Real>(interval))};
   }
 
-  /// Segment s of a curve, prepared for many times in it.
+  /// Segment s of a curve, prepared for evaluating its basis at many times.
   template <int Order>
   class Segment {
    public:
@@ -130,18 +131,18 @@ struct UniformKnots {
         offset_error_ = std::fma(static_cast<Time>(s), interval_, -offset_);
       }
     }
-    /// Where the segment begins; up to rounding for a floating-point Time.
+    /// Start of the segment; rounded for a floating-point Time.
     [[nodiscard]] Time begin() const { return begin_; }
     [[nodiscard]] Time end() const { return begin_ + interval_; }
 
-    /// The basis at several times, to the bit as basis() gives it: seconds where Time is double, ticks since begin()
-    /// where it is an integer.
+    /// The basis at several times, bitwise equal to basis(). t is in seconds if Time is double, in ticks since begin()
+    /// if it is an integer duration.
     template <int D, typename Real, int N, int Bytes>
     [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
       using L = Lanes<Real, N, Bytes>;
       using Wide = Lanes<double, N, Bytes>;
       if constexpr (std::floating_point<Time>) {
-        // The first difference is exact (Sterbenz), so that the second rounds what fma does in since_knot().
+        // Subtracting offset_ is exact (Sterbenz), so subtracting offset_error_ rounds as the fma in since_knot() does.
         const Wide rest = ((t - Wide(start_)) - Wide(offset_)) - Wide(offset_error_);
         const L u = lanes_cast<Real>(normal_powers<Real>(rest / Wide(interval_)));
         return uniform_basis<Order, D, L>(u, L(static_cast<Real>(interval_)));
@@ -153,13 +154,13 @@ struct UniformKnots {
 
    private:
     Time interval_, start_, begin_;
-    Time offset_{}, offset_error_{};  // of the first knot from start_, as an unevaluated sum
+    Time offset_{}, offset_error_{};  // the segment begins at start_ + offset_ + offset_error_
   };
 
  private:
-  // u ∈ [0, 1] in double, to be rounded to float: to a multiple of 2⁻⁴¹, which is exact to float's last digit for all
-  // but u below 1e-5, and there to 2e-13 of the segment. A time that misses its knot by rounding would else have powers
-  // below the smallest normal number, which take a processor a hundred times as long.
+  // Rounds u ∈ [0, 1] from double to a multiple of 2⁻⁴¹ before it becomes a float. The result is exact to float's last
+  // digit unless u < 1e-5, and then to 2e-13 of the segment. Without it, a time that misses its knot by rounding would
+  // have subnormal powers of u, which take a processor a hundred times as long.
   template <typename Real, typename U>
   [[nodiscard]] static U normal_powers(const U& u) {
     if constexpr (std::is_same_v<Real, float> && std::is_same_v<Time, double>) {
@@ -169,7 +170,8 @@ struct UniformKnots {
     }
   }
 
-  // t − (start + s·interval), rounded once. A template, because clang 14 instantiates members for integer times, too.
+  // (t − start) − s·interval, where fma rounds once. A template, because clang 14 also instantiates members for integer
+  // times.
   template <std::floating_point Seconds>
   [[nodiscard]] Seconds since_knot(std::size_t s, Seconds t) const {
     return std::fma(-static_cast<Seconds>(s), interval, t - start);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What an IMU delivers: values at points of time, or their integrals from one point to the next.
+/// The output of an IMU: point samples, which are values at a time, or increments, which are integrals from one time to
+/// the next.
 #pragma once
 
 #include <concepts>
@@ -9,30 +10,29 @@
 
 namespace splinertia {
 
-/// Anything with a time of this type. A bare integer is none: it does not say what it counts.
+/// Has a member `time` of this type. Bare integers are not times, because their unit is unknown.
 template <typename S, typename Time>
 concept HasTime = requires(const S& s) {
   { s.time } -> std::convertible_to<Time>;
   requires !std::integral<std::remove_cvref_t<decltype(s.time)>>;
 };
 
-/// Anything with a time and the point samples of both sensors: gyro in rad/s, accel (specific force) in m/s².
+/// A point sample of both sensors: has time, gyro (angular velocity, rad/s) and accel (specific force, m/s²).
 template <typename S, typename Scalar, typename Time>
 concept ImuSample = HasTime<S, Time> && requires(const S& s) {
   { s.gyro } -> std::convertible_to<Vector3<Scalar>>;
   { s.accel } -> std::convertible_to<Vector3<Scalar>>;
 };
 
-/// Anything with a time and what both sensors have summed up since the sample before: delta_angle in rad, the integral
-/// of the angular velocity, and delta_velocity in m/s, that of the specific force, both in the turning axes of the
-/// sensor.
+/// An increment of both sensors since the sample before: has time, delta_angle (integral of the angular velocity, rad)
+/// and delta_velocity (integral of the specific force, m/s), both in the turning axes of the sensor.
 template <typename S, typename Scalar, typename Time>
 concept ImuIncrement = HasTime<S, Time> && requires(const S& s) {
   { s.delta_angle } -> std::convertible_to<Vector3<Scalar>>;
   { s.delta_velocity } -> std::convertible_to<Vector3<Scalar>>;
 };
 
-/// The least that is a point sample.
+/// The minimal type that satisfies ImuSample.
 template <typename Scalar, TimePoint Time>
 struct TimedImuSample {
   Time time;
@@ -40,10 +40,10 @@ struct TimedImuSample {
   Vector3<Scalar> accel;  ///< m/s²
 };
 
-/// The least that is an increment.
+/// The minimal type that satisfies ImuIncrement.
 template <typename Scalar, TimePoint Time>
 struct TimedImuIncrement {
-  Time time;                       ///< of its end
+  Time time;                       ///< end of the interval
   Vector3<Scalar> delta_angle;     ///< rad
   Vector3<Scalar> delta_velocity;  ///< m/s
 };

@@ -11,18 +11,21 @@ namespace splinertia {
 template <typename Scalar, typename Frame = InertialFrame>
 struct IntegrationOptions {
   GapOptions<Scalar> gaps{};
-  std::size_t* bridged_gaps = nullptr;  ///< where to write how many gaps have been bridged
+  std::size_t* bridged_gaps = nullptr;  ///< receives the number of bridged gaps
   [[no_unique_address]] Frame frame{};
 };
 
-/// Integrates the samples of an IMU from `initial` on, in a world with the acceleration of free fall `gravity` (m/s²),
-/// and calls visit(state) for each state, the first of them `initial`; not at all for no samples. Scheme is Euler,
-/// Midpoint, Trapezoid, RungeKutta4, RungeKutta4DoubleStep, Magnus4, ZeroOrderHold, of point samples, the first of them
-/// at the initial time; or one of coning_sculling.hpp, of increments, which begin there; or a type of your own
-/// (scheme.hpp). One point sample gives the initial state, two or three are enough for any scheme, at a lower order.
-/// Nothing is kept. Throws std::invalid_argument where the first point sample is not at initial.time, where the initial
-/// state, gravity or a reading are not finite, where a reading is beyond largest_factor(), where stamps do not
-/// increase, and for a gap that is refused.
+/// Integrates the samples of an IMU and calls visit(state) for `initial` and then after each step; if there are no
+/// samples, it makes no call. No states are stored. `gravity` is the acceleration of free fall in the world, m/s².
+///
+/// Scheme for point samples: Euler, Midpoint, Trapezoid, RungeKutta4, RungeKutta4DoubleStep, Magnus4, ZeroOrderHold.
+/// The first sample is at initial.time. Two or three samples are enough for any scheme, at a lower order; one gives the
+/// initial state alone. Scheme for increments, the first of which begins at initial.time: one of coning_sculling.hpp.
+/// For a scheme of your own see scheme.hpp.
+///
+/// Throws std::invalid_argument if the first point sample is not at initial.time, if the initial state, gravity, the
+/// frame or a reading is not finite, if a reading is beyond largest_factor(), if stamps do not increase, and for a gap
+/// that is refused.
 template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_range Samples, typename Visit,
           typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time> && std::invocable<Visit&, const NavState<Scalar, Time>&>
@@ -40,7 +43,7 @@ void integrate(const NavState<Scalar, Time>& initial, Samples&& samples,
   if (options.bridged_gaps) *options.bridged_gaps = integrator.gaps();
 }
 
-/// The same into a vector: one state for each step, the first of them `initial`; none for no samples.
+/// The same into a vector: `initial` and the state after each step; empty if there are no samples.
 template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_range Samples,
           typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time>

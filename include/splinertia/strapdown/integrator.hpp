@@ -11,15 +11,15 @@
 
 namespace splinertia {
 
-/// Integrates the samples of an IMU as they come, inside an estimator's loop: one at a time, without heap.
+/// Integrates the samples of an IMU one at a time, without heap, as in the loop of an estimator.
 ///
 ///   Integrator<Midpoint, double> integrator(initial);
 ///   integrator.push(sample);
 ///   integrator.state();
 ///
-/// `Scheme` is Euler, Midpoint, …, of point samples, or one of coning_sculling.hpp, of increments. Frame is
-/// InertialFrame, or RotatingFrame, which is passed. A scheme that looks ahead, or advances by several samples, leaves
-/// the state behind the last sample until finish().
+/// Scheme is Euler, Midpoint, … for point samples, or one of coning_sculling.hpp for increments. Frame is InertialFrame
+/// or RotatingFrame. With a scheme that looks ahead or advances by several samples, the state lags behind the last
+/// sample until finish().
 template <typename Scheme, typename Scalar, TimePoint Time = double, typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time>
 class Integrator {
@@ -27,7 +27,7 @@ class Integrator {
   using State = NavState<Scalar, Time>;
 
   /// `gravity`: acceleration of free fall in the world, m/s². Throws std::invalid_argument unless it, the initial state
-  /// and the frame are finite.
+  /// and the frame are finite and the longest interval of `gaps` is > 0.
   explicit Integrator(const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
                       const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
       : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {
@@ -38,10 +38,10 @@ class Integrator {
     if constexpr (requires { frame.rate; }) require_all_finite("integrate", "the rate of the world", frame.rate);
   }
 
-  /// Adds a sample and advances the state as far as the scheme can; calls visit(state) after each step. Throws
-  /// std::invalid_argument for a first point sample that is not at the time of the initial state, for readings that are
-  /// not finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused;
-  /// then nothing has changed.
+  /// Adds a sample, advances the state as far as the scheme can, and calls visit(state) after each step. Throws
+  /// std::invalid_argument if the first point sample is not at the time of the initial state, for readings that are not
+  /// finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused. Then
+  /// nothing has changed.
   template <typename AnySample>
   [[gnu::always_inline]] void push(const AnySample& sample, const auto& visit) {
     if constexpr (check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));
@@ -51,14 +51,14 @@ class Integrator {
     push(sample, [](const State&) {});
   }
 
-  /// Brings the state to the last sample, without what a scheme would have seen behind it. Samples may follow.
+  /// Advances the state to the last sample; the scheme does without later samples. More samples may follow.
   void finish(const auto& visit) { window_.finish(step(visit)); }
   void finish() {
     finish([](const State&) {});
   }
 
   [[nodiscard]] const State& state() const { return state_; }
-  /// How many gaps have been bridged.
+  /// The number of bridged gaps.
   [[nodiscard]] std::size_t gaps() const { return window_.gaps(); }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace splinertia {
 
-/// Attitude, velocity and position of the body in the world at a time.
+/// Attitude, velocity and position of the body in the world, and their time.
 template <typename Scalar, TimePoint T = double>
 struct NavState {
   using Time = T;
@@ -19,24 +19,24 @@ struct NavState {
   Time time;
 };
 
-/// The state of a body that moves as `motion` says, at `time`.
+/// The state that belongs to `motion`, with the given time.
 template <Pose G, int D, TimePoint Time>
   requires(D >= 1)
 [[nodiscard]] NavState<ScalarOf<G>, Time> nav_state(const Motion<G, D>& motion, Time time) {
   return {rotation(motion.value), world_velocity(motion), position(motion.value), time};
 }
 
-/// q r for unit quaternions, kept on the unit sphere: rounding alone would let the norm drift with the number of steps.
+/// The product q r of unit quaternions, normalised; without that, rounding would let the norm drift from step to step.
 template <typename Scalar>
 [[nodiscard]] Sophus::SO3<Scalar> advance_attitude(const Eigen::Quaternion<Scalar>& q,
                                                    const Eigen::Quaternion<Scalar>& r) {
   const Eigen::Quaternion<Scalar> product = quaternion_product(q, r);
-  // One Newton step for 1/|q|, exact to rounding this close to 1.
+  // One Newton step for 1/|q|, which is accurate to rounding this close to 1.
   const Scalar scale = (Scalar(3) - product.squaredNorm()) / Scalar(2);
   return rotation_from_unit_quaternion(Eigen::Quaternion<Scalar>(product.coeffs() * scale));
 }
 
-/// The inertial world in which what a body does is what its IMU has measured, and gravity: the default Frame.
+/// An inertial world, the default Frame: the motion is what the IMU has measured plus gravity.
 ///   R₁ = R₀ ΔR,  v₁ = v₀ + g h + R₀ Δv,  p₁ = p₀ + v₀ h + g h²/2 + R₀ Δp
 struct InertialFrame {
   template <typename Scalar, typename Time>

@@ -5,17 +5,19 @@
 
 namespace splinertia {
 
-/// A world that turns, as the Earth does: the Frame of an integration that minds its rotation and the Coriolis
+/// A rotating world such as the Earth: the Frame of an integration with the world's rotation and the Coriolis
 /// acceleration,
 ///
 ///   Rᵀ R' = ω − Rᵀ Ω,  v' = R f + g − 2 Ω × v,  p' = v
 ///
-/// with gravity g that includes the centrifugal acceleration, as plumb lines do. Groves, Principles of GNSS, Inertial,
-/// and Multisensor Integrated Navigation Systems (2013), 5.3 to 5.5. Attitude is exact, velocity and position to first
-/// order in |Ω| h whatever the body does in a step; of second order it is in the whole.
+/// where gravity g includes the centrifugal acceleration, as a plumb line shows it. In each step the rotation of the
+/// world enters the attitude exactly, and velocity and position to first order in |Ω| h for any motion of the body. The
+/// overall method is second-order accurate. Groves, Principles of GNSS, Inertial, and Multisensor Integrated Navigation
+/// Systems (2013), 5.3 to 5.5.
 template <typename Scalar>
 struct RotatingFrame {
-  /// Ω of the world against inertial space, in the world, rad/s; the Earth: 7.292115e-5 about its axis.
+  /// Ω: angular velocity of the world relative to inertial space, in the world, rad/s. Earth: 7.292115e-5 about its
+  /// axis.
   Vector3<Scalar> rate;
 
   template <typename Time>
@@ -26,8 +28,9 @@ struct RotatingFrame {
     const Scalar h = increment.interval;
     const Vector3<Scalar> fall = gravity * h;
     const Vector3<Scalar> dv = rotate<Scalar>(q, increment.velocity), dp = rotate<Scalar>(q, increment.position);
-    // The force turns back by Ω t: ∫ t f dt = h Δv − Δp and ∫ (h − t) t f dt are left of it. The Coriolis acceleration
-    // takes −2 Ω × the way that was moved from the velocity. In position both add up to h Δp and the inertial way.
+    // The force turns back by Ω t, which contributes −Ω × ∫ t f dt, ∫ t f dt = h Δv − Δp, to the velocity and
+    // −Ω × ∫ (h − t) t f dt to the position. The Coriolis acceleration contributes −2 Ω × (p₁ − p₀) to the velocity. In
+    // the position both add up to −h Ω × (Δp + (v₀ + g h/3) h).
     const Vector3<Scalar> inertial = (state.v_WB + fall / Scalar(2)) * h + dp;
     const Vector3<Scalar> moved = inertial - rate.cross((inertial - fall * (h / Scalar(6))) * h);
     const Vector3<Scalar> v = state.v_WB + fall + dv - rate.cross(dv * h - dp + moved * Scalar(2));

@@ -279,7 +279,7 @@ TEST_CASE("The number of terms") {
 }
 
 TEST_CASE("Intervals are those of Stable32", "[.real_data]") {
-  const std::string folder = SPLINERTIA_SHARED_DATA_DIR "/allan/";
+  const std::string folder = SPLINERTIA_TEST_DATA "/allan/";
   const auto rows = [&](const std::string& file, const auto& check) {
     std::ifstream input(folder + file);
     REQUIRE(input);

@@ -32,7 +32,7 @@ namespace {
 using Split = SO3xR3<double>;
 using Curve = Spline<Split, 4, UniformKnots<nanoseconds>>;
 
-const std::filesystem::path shared = SPLINERTIA_SHARED_DATA_DIR;
+const std::filesystem::path shared = SPLINERTIA_TEST_DATA;
 
 struct ImuRow {
   nanoseconds time;

@@ -12,12 +12,12 @@
 
 namespace splinertia::allan {
 
-/// Over how many samples m to average: averaging time tau = m/rate.
+/// The averaging factors m of a curve, in samples. The averaging time is tau = m/rate.
 class AveragingFactors {
  public:
-  /// So many an octave, equally spaced on a logarithmic axis. From the first power of two on that is 16 and four times
-  /// per_octave, each has its double among them, so that second differences over m and 2m read the same sums: faster
-  /// than a grid of any other ratio.
+  /// `per_octave` (1 to 1000) factors an octave, equally spaced on a logarithmic axis. From the first power of two >=
+  /// 16 and >= 4·per_octave on, the double of each factor is a factor too. Second differences over m and 2m then read
+  /// the same sums, which makes this grid faster than one of any other ratio.
   [[nodiscard]] static AveragingFactors logarithmic(int per_octave = 5) {
     require(per_octave >= 1 && per_octave <= 1000, "AveragingFactors::logarithmic", "per_octave", per_octave,
             "1 to 1000");
@@ -26,13 +26,13 @@ class AveragingFactors {
   [[nodiscard]] static AveragingFactors octave() { return {Grid::logarithmic, 1}; }  ///< 1, 2, 4, 8 …
   [[nodiscard]] static AveragingFactors decade() { return {Grid::decade, 0}; }       ///< 1, 2, 4, 10, 20, 40, 100 …
   [[nodiscard]] static AveragingFactors all() { return {Grid::all, 0}; }             ///< 1, 2, 3 …
-  /// These, in ascending order; up_to() throws std::invalid_argument if one is not within the data.
+  /// These factors. up_to() sorts them and throws std::invalid_argument if one is not within the data.
   [[nodiscard]] static AveragingFactors given(std::vector<std::int64_t> factors) {
     AveragingFactors result{Grid::given, 0};
     result.given_ = std::move(factors);
     return result;
   }
-  /// The ones nearest to these averaging times [s].
+  /// The factors nearest to these averaging times [s], each at least half a sampling interval.
   template <typename Scalar>
   [[nodiscard]] static AveragingFactors taus(const std::vector<Scalar>& seconds, Scalar rate) {
     require_positive("AveragingFactors::taus", "rate", rate);
@@ -46,7 +46,7 @@ class AveragingFactors {
     return given(std::move(factors));
   }
 
-  /// Those from 1 to `largest`, in ascending order.
+  /// The factors from 1 to `largest`, in ascending order.
   [[nodiscard]] std::vector<std::int64_t> up_to(std::int64_t largest) const {
     std::vector<std::int64_t> result;
     if (grid_ == Grid::given) {
@@ -66,7 +66,7 @@ class AveragingFactors {
         }
       }
     } else {
-      // One octave of whole numbers, fine enough to tell its members apart, shifted through all octaves.
+      // One octave of integers, fine enough for all to be different, shifted through all octaves.
       int bits = 4;
       while ((1 << bits) < 4 * per_octave_) ++bits;
       for (int octave = 0; octave < 62 && (std::int64_t{1} << octave) <= largest; ++octave) {

@@ -15,8 +15,8 @@
 
 namespace splinertia::allan {
 
-/// Which bins of a spectrum are used: all but those that are left out by hand, and those where lines, resonances and
-/// filters make another power than noise terms have.
+/// Selects the bins of a spectrum that are used. Bins are left out if the user excluded them or if lines, resonances
+/// and filters give them a power that noise terms do not have.
 template <typename Scalar>
 class BandSelection {
  public:
@@ -24,9 +24,9 @@ class BandSelection {
   using Spectrum = typename Fit::Spectrum;
   using Window = typename FitBands<Scalar>::Window;
 
-  /// A ratio of powers that is off by less is no misfit.
+  /// A ratio of powers that is off by less than this is no misfit.
   static constexpr Scalar tolerance = Scalar(5) / 1000;
-  /// What chance does at most once in a thousand logs: there are some 5000 windows.
+  /// A misfit in standard deviations: chance exceeds it in at most one log of a thousand, with some 5000 windows each.
   static constexpr Scalar most_off = Scalar(21) / 4;
 
   BandSelection(std::reference_wrapper<const Spectrum> spectrum, Scalar highest,
@@ -47,9 +47,9 @@ class BandSelection {
     return static_cast<std::size_t>(std::count(included_.begin(), included_.end(), true));
   }
 
-  /// Leaves out what deviates most from a model that each part of the spectrum has the same say in, until nothing does:
-  /// so the octave at the top, which has half of all numbers, does not win against all others. Lines come first: in a
-  /// likelihood, ten thousand times the power in one bin outweighs all others.
+  /// Repeatedly fits a model and leaves out the window that deviates most, until none is a misfit. The fit limits the
+  /// count of each bin, so that the top octave, which has half of all b_k, does not outweigh all others. Lines are left
+  /// out first: in a likelihood, a bin with ten thousand times the power outweighs all others.
   void leave_out_misfits(NoiseTerms terms) {
     leave_out_lines();
     const Scalar most_count = 32 * static_cast<Scalar>(spectrum_.spectra());
@@ -67,19 +67,19 @@ class BandSelection {
     widen();
   }
 
-  /// Leaves out a window and what is about it.
+  /// Leaves out a window and the margins that widen() adds.
   void leave_out(const Window& window) {
     mark(window.begin, window.end);
     widen();
   }
 
-  /// Takes all again but what was left out by hand.
+  /// Includes all bins again but those that the user excluded.
   void reset() {
     included_ = allowed_;
     misfits_.assign(misfits_.size(), false);
   }
 
-  /// Runs of bins that are left out, up to the highest that is used.
+  /// Runs [begin, end) of bins that are left out below the highest used one.
   [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> gaps() const {
     std::vector<std::pair<std::size_t, std::size_t>> gaps;
     const std::size_t end = used_end();
@@ -91,7 +91,7 @@ class BandSelection {
     return gaps;
   }
 
-  /// One after the highest bin that is used.
+  /// One past the highest used bin.
   [[nodiscard]] std::size_t used_end() const {
     std::size_t end = included_.size();
     while (end > 0 && !included_[end - 1]) --end;
@@ -99,8 +99,8 @@ class BandSelection {
   }
 
  private:
-  /// Bins with more than twice the power of what is within a quarter of their frequency, by the median, and by eight
-  /// standard deviations.
+  /// Leaves out bins with more than twice the median power of the bins within a quarter of their frequency, if they are
+  /// above it by more than eight standard deviations.
   void leave_out_lines() {
     constexpr std::size_t fewest = 5;
     constexpr int most_deviations = 8;
@@ -116,13 +116,13 @@ class BandSelection {
                                  power.begin() + static_cast<std::ptrdiff_t>(end));
       const auto middle = nearby.begin() + static_cast<std::ptrdiff_t>(nearby.size() / 2);
       std::nth_element(nearby.begin(), middle, nearby.end());
-      // The median of a mean of squares is lower than their expectation by this, to first order in 1/count.
+      // The median of a mean of squares is below its expectation by this factor, to first order in 1/count.
       const Scalar ratio = power[i] / *middle * (1 - 2 / (3 * bins[i].count));
       if (ratio > 2 && chi_square_deviation(ratio, bins[i].count) > most_deviations) mark(i, i + 1);
     }
   }
 
-  /// Bins that the power of [begin, end) reaches on its upper side.
+  /// The number of bins above [begin, end) that its power leaks into, as explained at widen().
   [[nodiscard]] std::size_t skirt(std::size_t begin, std::size_t end) const {
     const auto& bins = spectrum_.bins();
     const auto density = [&](std::size_t i) { return bins[i].power / (bins[i].count * bins[i].basis[0]); };
@@ -147,10 +147,10 @@ class BandSelection {
     }
   }
 
-  /// What bends the power in a band bends it beside it, too, below what shows there: a quarter of the band's width on
-  /// either side, at the upper end of the spectrum an octave. Islands in between go with it. The ends of the log spread
-  /// a line of E times the power of a b_k over its neighbours as E/(π·distance)²: up to where that is a fiftieth, or to
-  /// half its frequency on either side.
+  /// Leaves out margins around misfits, where the same cause changes the power by too little to be found: a quarter of
+  /// the band's width on either side, an octave at the upper end of the spectrum. Islands between two misfits are left
+  /// out too. The finite log makes a line of E times the power of a b_k leak as E/(π·distance)², distance counted in
+  /// b_k. The margin reaches to where this is a fiftieth, but at most to half the line's frequency.
   void widen() {
     constexpr std::size_t island = 6, octave = 45;
     std::vector<std::pair<std::size_t, std::size_t>> runs;

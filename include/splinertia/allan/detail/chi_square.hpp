@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// The chi-square distribution with real degrees of freedom, and the confidence interval of a deviation.
 ///
-/// Errors measured against 50 digits (mpmath) on degrees of freedom from 0.1 to 1e12 and probabilities from 1e-12 to
-/// 1 − 1e-12: quantiles within 1.1e-14 relative in double and 7e-18 in long double of 64 bits (46 ε and 64 ε, at 0.1
-/// degrees of freedom, where a rounding of the probability alone is 20 of them; below 7 ε from 2 on in double), tails
-/// within 36 ε·(1 + condition of x). float is computed in double. Outside that range of degrees of freedom results are
-/// still numbers, not NaN.
+/// Errors are measured against 50 digits (mpmath), for degrees of freedom from 0.1 to 1e12 and probabilities from 1e-12
+/// to 1 − 1e-12. Quantiles: within 1.1e-14 relative in double and 7e-18 in long double of 64 bits (46 ε and 64 ε).
+/// These are at 0.1 degrees of freedom, where rounding the probability alone causes 20 ε; from 2 on quantiles in double
+/// are within 7 ε. Tails: within 36 ε·(1 + condition of x). float is computed in double. For other degrees of freedom
+/// results are still numbers, not NaN.
 #pragma once
 
 #include <algorithm>
@@ -28,22 +28,22 @@ inline constexpr Scalar one_sigma = static_cast<Scalar>(0.6826894921370858971704
 template <std::floating_point Scalar>
 inline constexpr Scalar two_sigma = static_cast<Scalar>(0.954499736103641585599434725666933125L);
 
-/// P(a, x) and Q(a, x) = 1 − P of the incomplete gamma function. Each has a small relative error of its own where it is
-/// the smaller one, which a difference from 1 would not have.
+/// P(a, x) and Q(a, x) = 1 − P of the incomplete gamma function. The smaller one has a small relative error, which 1
+/// minus the other would not have.
 template <std::floating_point Scalar>
 struct GammaTails {
   Scalar lower;
   Scalar upper;
 };
 
-/// From this shape a on Temme's expansion is used around x = a, and Stirling's series for Γ(a).
+/// From this shape a on, Temme's expansion is used around x = a, and Stirling's series for Γ(a).
 inline constexpr int gamma_expansion_from = 30;
 
 /// x − 1 − ln x at x = 1 + mu, which is mu²/2 near 0, without the cancellation.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar gamma_exponent(Scalar mu) {
   if (mu < Scalar(-0.5L) || mu > Scalar(1)) return mu - std::log1p(mu);
-  // ln(1 + mu) = 2 artanh(r), r = mu/(2 + mu): mu − 2r = r·mu, and 2 (r³/3 + r⁵/5 + …) is taken from it.
+  // ln(1 + mu) = 2 artanh(r), r = mu/(2 + mu): the result is mu − 2r = r·mu, minus 2 (r³/3 + r⁵/5 + …).
   const Scalar r = mu / (Scalar(2) + mu), square = r * r;
   Scalar sum = 0, power = square;
   for (int k = 3; k < 200; k += 2) {
@@ -55,7 +55,7 @@ template <std::floating_point Scalar>
   return r * (mu - Scalar(2) * sum);
 }
 
-/// Γ(a)·√(a/2π)·(e/a)^a, which Stirling's series tends to 1 with. Remainder below 1e-21 from a = 30 on.
+/// Γ(a)·√(a/2π)·(e/a)^a, by Stirling's series. It tends to 1. Remainder below 1e-21 from a = 30 on.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar scaled_gamma(Scalar a) {
   constexpr std::array<Scalar, 7> coefficients{Scalar(1) / 12,    -Scalar(1) / 360, Scalar(1) / 1260,
@@ -79,8 +79,9 @@ template <std::floating_point Scalar>
   return std::pow(x, a) * std::exp(-x) / std::tgamma(a + Scalar(1));
 }
 
-/// The coefficients f of η/(x/a − 1) = Σ f_n η^n with η²/2 = x/a − 1 − ln(x/a): 1, −1/3, 1/12, … The reciprocal of
-/// Σ c_{n+1} η^n, x/a = 1 + Σ c_n η^n, whose c follow from (x/a)' (x/a − 1) = η x/a. They converge for |η| < 2√π.
+/// The coefficients f of η/(x/a − 1) = Σ f_n η^n with η²/2 = x/a − 1 − ln(x/a): 1, −1/3, 1/12, … The series is the
+/// reciprocal of Σ c_{n+1} η^n, where x/a = 1 + Σ c_n η^n and the c follow from (x/a)' (x/a − 1) = η x/a. They converge
+/// for |η| < 2√π.
 template <std::floating_point Scalar>
 [[nodiscard]] constexpr auto gamma_expansion_coefficients() {
   std::array<Scalar, 33> c{}, f{};
@@ -96,8 +97,8 @@ template <std::floating_point Scalar>
   return f;
 }
 
-/// Temme's uniform expansion: both tails are erfc(±η √(a/2))/2 and a remainder, whose power series in η has
-/// coefficients β with β_n = (n + 2) β_{n+2}/a + f_{n+1}, n downward. Gil, Segura, Temme, "Efficient and accurate
+/// Temme's uniform expansion: both tails are erfc(±η √(a/2))/2 plus a remainder. The power series of the remainder in η
+/// has coefficients β with β_n = (n + 2) β_{n+2}/a + f_{n+1}, n downward. Gil, Segura, Temme, "Efficient and accurate
 /// algorithms for the computation and inversion of the incomplete gamma function ratios", SIAM J. Sci. Comput. 34
 /// (2012), section 2.5.
 template <std::floating_point Scalar>
@@ -150,10 +151,10 @@ template <std::floating_point Scalar>
   return {one - upper, upper};
 }
 
-/// The x at which P(a, x) is `probability` (or Q, for `upper_tail`), 0 < probability <= 1/2.
-/// ln P is concave in ln x and ln Q in x, so that Newton's iteration on them converges from anywhere in the tail; a
-/// bracket guards it against rounding. Starts from Wilson and Hilferty's x = a (1 − 1/9a + z/3√a)³ or, for small a,
-/// from the first term of the series of P.
+/// The x at which P(a, x) is `probability` (or Q, for `upper_tail`), 0 < probability <= 1/2. ln P is concave in ln x,
+/// and ln Q in x, so that Newton's iteration on them converges from anywhere in the tail. A bracket guards it against
+/// rounding. It starts from Wilson and Hilferty's x = a (1 − 1/9a + z/3√a)³ or, for small a, from the first term of the
+/// series of P.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar gamma_quantile(Scalar a, Scalar probability, bool upper_tail) {
   const Scalar one = 1, log_probability = std::log(probability);
@@ -191,12 +192,12 @@ template <std::floating_point Scalar>
   return x;
 }
 
-/// What float is computed in.
+/// The type of the computation: double for float, otherwise the type itself.
 template <std::floating_point Scalar>
 using AtLeastDouble = std::conditional_t<std::same_as<Scalar, float>, decltype(1.0), Scalar>;
 
-/// P(X <= x), X chi-square with these degrees of freedom > 0, x >= 0.
-/// Each function here throws std::invalid_argument for what is not finite or not in its range.
+/// P(X <= x) for a chi-square X with these degrees of freedom > 0, x >= 0.
+/// From here on, each function throws std::invalid_argument for arguments that are not finite or out of range.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_cdf(Scalar x, Scalar degrees_of_freedom) {
   require_non_negative("chi_square_cdf", "x", x);
@@ -205,7 +206,7 @@ template <std::floating_point Scalar>
   return static_cast<Scalar>(gamma_tails(Wide(degrees_of_freedom) / 2, Wide(x) / 2).lower);
 }
 
-/// P(X > x) = 1 − chi_square_cdf, also where that is next to 1.
+/// P(X > x) = 1 − chi_square_cdf, accurate also where the latter is close to 1.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_upper_tail(Scalar x, Scalar degrees_of_freedom) {
   require_non_negative("chi_square_upper_tail", "x", x);
@@ -230,8 +231,8 @@ template <std::floating_point Scalar>
   return static_cast<Scalar>(2 * gamma_quantile(Wide(degrees_of_freedom) / 2, tail, upper));
 }
 
-/// The x with chi_square_upper_tail(x, degrees_of_freedom) = probability: the quantile of 1 − probability, for
-/// probabilities that 1 − probability would round.
+/// The x with chi_square_upper_tail(x, degrees_of_freedom) = probability: the quantile of 1 − probability, also for
+/// probabilities so small that 1 − probability would be rounded.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_upper_quantile(Scalar probability, Scalar degrees_of_freedom) {
   require_probability("chi_square_upper_quantile", "probability", probability);
@@ -243,8 +244,8 @@ template <std::floating_point Scalar>
 }
 
 /// The two-sided confidence interval of σ from an estimate s = `deviation` >= 0 in any unit whose square is distributed
-/// as σ² χ²(edf)/edf: [s √(edf/q((1 + c)/2)), s √(edf/q((1 − c)/2))], q the quantile, c the confidence in (0, 1).
-/// With few degrees of freedom (below 1) s itself can be outside. The upper end is infinite only where it overflows.
+/// as σ² χ²(edf)/edf: [s √(edf/q((1 + c)/2)), s √(edf/q((1 − c)/2))], q the quantile, c the confidence in (0, 1). With
+/// few degrees of freedom (below 1) s itself can be outside. The upper end is infinite only if it overflows.
 template <std::floating_point Scalar>
 [[nodiscard]] Interval<Scalar> deviation_interval(Scalar deviation, Scalar degrees_of_freedom,
                                                   Scalar confidence = one_sigma<Scalar>) {

@@ -7,8 +7,8 @@
 
 namespace splinertia::allan {
 
-/// x as it is written, not what algebra makes of it: -ffast-math would find that (a + b) − a is b. clang is told by a
-/// pragma where it is used; g++ knows a way since version 12.
+/// Returns x and keeps the compiler from simplifying across it: with -ffast-math, (a + b) − a would become b. g++ has a
+/// builtin for this since version 12. For clang, CompensatedSum::add() has a pragma.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar as_written(Scalar x) {
 #if __has_builtin(__builtin_assoc_barrier)
@@ -19,9 +19,9 @@ template <typename Scalar>
   return x;
 }
 
-/// A sum whose rounding error does not grow with the number of summands: each addition's error is found exactly
-/// (Knuth's TwoSum) and added up on the side (Neumaier, ZAMM 54 (1974)). |error| ≤ eps·|sum| + (n·eps)²·Σ|x|, of which
-/// the second part is beyond double for any n that fits in memory.
+/// A sum whose rounding error does not grow with the number of summands. The error of each addition is computed exactly
+/// (Knuth's TwoSum) and summed separately (Neumaier, ZAMM 54 (1974)). |error| ≤ eps·|sum| + (n·eps)²·Σ|x|. In double
+/// the second part is below eps·Σ|x| for n up to 6·10⁷.
 template <typename Scalar>
 class CompensatedSum {
  public:

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// How many degrees of freedom the estimate of an Allan type of variance has, for its confidence interval.
+/// Equivalent degrees of freedom of estimates of Allan-type variances, for their confidence intervals.
 ///
-/// The estimate is a mean of squares z_i² of M overlapping differences, normal with correlations ρ_l; its equivalent
-/// degrees of freedom are those of the chi-square distribution with the same variance over squared mean,
-/// M/(1 + 2 Σ (1 − l/M) ρ_l²): Greenhall, Riley, "Uncertainty of stability variances based on finite differences", PTTI
-/// 2003. A modified difference of order d of the phase x is, with the factor 1/m, the plain one of order d + 1 of the
-/// sum of x, so that with p = 2 − α (4 − α if modified) and D = d (d + 1) both have the covariance δ^2D K_p at lag l·s
-/// with steps of m samples, where K_p is the generalised autocovariance of the spectrum |2 sin(π f τ₀)|^−p.
+/// The estimate is a mean of squares z_i² of M overlapping differences, which are normal with correlations ρ_l. Its
+/// equivalent degrees of freedom are those of the chi-square distribution with the same ratio of variance to squared
+/// mean, M/(1 + 2 Σ (1 − l/M) ρ_l²): Greenhall, Riley, "Uncertainty of stability variances based on finite
+/// differences", PTTI 2003. A modified difference of order d of the phase x is, up to the factor 1/m, the plain
+/// difference of order d + 1 of the sum of x. With p = 2 − α (4 − α if modified) and D = d (d + 1 if modified), both
+/// therefore have the covariance δ^2D K_p at lag l·s with steps of m samples. K_p is the generalised autocovariance of
+/// the spectrum |2 sin(π f τ₀)|^−p.
 #pragma once
 
 #include <algorithm>
@@ -19,24 +20,23 @@
 
 namespace splinertia::allan {
 
-/// What is squared: differences of the phase x, the integral of the rate, over steps of m samples each. 2 differences
-/// are Allan's, 3 Hadamard's, 1 those of the phase alone. Modified: of x averaged over m samples before.
+/// The differences that are squared: of the phase x, the integral of the rate, over steps of m samples. Order 2 is
+/// Allan's, 3 Hadamard's, 1 a first difference of the phase. Modified: x is averaged over m samples before.
 struct DifferenceShape {
   int differences = 2;
   bool modified = false;
 };
 
-/// How the phase samples of power law noise came to be, which matters for small m.
+/// The model of the phase samples of power law noise, which matters for small m.
 enum class PhaseModel {
-  /// The noise is one of samples: rates are white, a random walk (its sums), or fractional sums in between, and the
-  /// phase is the sum of the rates. Exact for logs whose samples are integrals or means of white noise.
+  /// Discrete noise: rates are white, a random walk (sums of white noise), or fractional sums in between, and the phase
+  /// is the sum of the rates. Exact for logs whose samples are integrals or means of white noise.
   sampled,
-  /// As Greenhall and Riley, and with them Stable32: phase samples are means over τ₀ of a continuous phase, and
-  /// modified differences those of a continuous mean, of correlations to lags of differences + 1 steps only. Where
-  /// those
-  /// are more than 100 (their J_max, beyond which they take tables of the limit), and for m > 10⁴: `sampled`. Of white
-  /// rates (Allan, overlapping) it has 17 % more degrees at m = 1, 12 % less at m = 4 and 3 % less at m = 33; others
-  /// differ by up to a third at m = 1 and 16 % above.
+  /// As in Greenhall and Riley, and in Stable32: phase samples are means over τ₀ of a continuous phase, modified
+  /// differences those of a continuous mean. Only correlations to lags of differences + 1 steps count. If these are
+  /// more than 100 lags (their J_max, beyond which they use tables of the limit), or for m > 10⁴, `sampled` is used.
+  /// Compared with `sampled`, white rates (Allan, overlapping) have 17 % more degrees at m = 1, 12 % fewer at m = 4 and
+  /// 3 % fewer at m = 33; others differ by up to a third at m = 1 and 16 % above.
   greenhall_riley,
 };
 
@@ -50,7 +50,7 @@ class DifferenceCovariance {
         order_(shape.differences + (shape.modified ? 1 : 0)),
         averaged_(averaged_phase),
         averaging_step_(shape.modified ? 0 : 1) {
-    binomials_[0] = 1;  // of 2·order over order − j, alternating
+    binomials_[0] = 1;  // C(2·order, order − j)/C(2·order, order), alternating
     for (int j = 1; j <= order_; ++j) {
       const auto i = static_cast<std::size_t>(j);
       binomials_[i] = -binomials_[i - 1] * (order_ - j + 1) / (order_ + j);
@@ -61,7 +61,7 @@ class DifferenceCovariance {
   [[nodiscard]] int power() const { return power_; }
   [[nodiscard]] int order() const { return order_; }
 
-  /// Of the differences `lag` samples apart: an integer, or further than 15 from all multiples of m.
+  /// The correlation of differences `lag` samples apart: an integer, or more than 15 from all multiples of m.
   [[nodiscard]] double correlation(double lag) const { return covariance(lag) / variance_; }
 
  private:
@@ -82,7 +82,7 @@ class DifferenceCovariance {
             continuous_kernel(k + 1, power_ + 1));
   }
 
-  /// |t|^e, or |t|^e ln|t| for even e.
+  /// |t|^e, or |t|^e ln|t| for even e, with t = lag/m.
   [[nodiscard]] double continuous_kernel(double lag, int exponent) const {
     const double t = std::abs(lag) / m_;
     if (t == 0) return 0;
@@ -100,8 +100,8 @@ class DifferenceCovariance {
     return product;
   }
 
-  /// Γ(k + p/2)/Γ(k + 1 − p/2) and its like for p/2 = q + 1/2 are polynomials in k² that differences annul; the kernel
-  /// is the derivative by p: Π (k² − (j − 1/2)²) (ψ(k + 1/2 + q) + ψ(k + 1/2 − q))/2, ψ the digamma function.
+  /// For odd p = 2q + 1, Γ(k + p/2)/Γ(k + 1 − p/2) is a polynomial in k² that the differences annihilate. The kernel is
+  /// the derivative by p: Π (k² − (j − 1/2)²) (ψ(k + 1/2 + q) + ψ(k + 1/2 − q))/2, ψ the digamma function.
   [[nodiscard]] double odd_kernel(double k) const {
     const int q = (power_ - 1) / 2;
     const double t = k / m_;
@@ -111,7 +111,8 @@ class DifferenceCovariance {
       const auto n = static_cast<int>(k);
       return product * (0.5 * (digamma_of_half(n + q) + digamma_of_half(std::abs(n - q))) - log_m_);
     }
-    // Without what is next to even polynomials where it is small at all lags: a step in it would not cancel.
+    // Drops the terms below where they are small at all lags, apart from even polynomials, which cancel. A jump from
+    // one lag to the next would not.
     if (q == 0 ? k > 1e5 : m_ > 1e5) return product * std::log(t);
     const auto correction = [](double x) {  // ψ(x + 1/2) − ln x, remainder 1e-11
       const double r = 1 / (x * x);
@@ -141,9 +142,9 @@ class DifferenceCovariance {
   double variance_ = 1;
 };
 
-/// Σ (1 − l/terms) ρ_l² over lags l >= 1 of `stride` samples. Term by term where that is short; elsewhere the sum over
-/// (a, b] is the integral over (a + 1/2, b + 1/2), by Gauss-Legendre quadrature with 8 points on intervals that grow in
-/// proportion to the distance from the multiples of m, where ρ has kinks and logarithmic peaks.
+/// Σ (1 − l/terms) ρ_l² over lags l >= 1 of `stride` samples. Short ranges are summed term by term. Elsewhere the sum
+/// over (a, b] is replaced by the integral over (a + 1/2, b + 1/2), by Gauss–Legendre quadrature with 8 points. Its
+/// intervals grow in proportion to the distance from the multiples of m, where ρ has kinks and logarithmic peaks.
 class CorrelationSum {
  public:
   CorrelationSum(std::reference_wrapper<const DifferenceCovariance> covariance, std::int64_t m, std::int64_t terms,
@@ -153,7 +154,7 @@ class CorrelationSum {
         stride_(static_cast<double>(stride)),
         lags_per_step_(static_cast<double>(m) / stride_) {}
 
-  /// Of lags below `steps` steps of m samples.
+  /// The sum over lags of up to `steps` steps of m samples.
   [[nodiscard]] double up_to(double steps) const {
     const double last = (std::min)(terms_ - 1, std::floor(steps * lags_per_step_));
     double sum = 0, left = 0;
@@ -187,7 +188,7 @@ class CorrelationSum {
     if (covariance_.power() % 2 == 0) {  // a polynomial of degree 15 or less: the quadrature is exact
       return sum + quadrature(left + window + 0.5, right - window + 0.5);
     }
-    // ρ² is as smooth as t^(p − 1) ln t at its ends: only for p = 1 the intervals need to become that short there.
+    // At its ends ρ² is as smooth as t^(p − 1) ln t: only for p = 1 must the intervals become that short there.
     const double shortest = covariance_.power() == 1 ? 0 : length / 256, middle = left + length / 2;
     for (double nearby = window + 0.5, distant = 0; left + nearby < middle; nearby = distant) {
       distant = (std::max)(6 * nearby, shortest);
@@ -219,8 +220,8 @@ class CorrelationSum {
   double lags_per_step_;
 };
 
-/// How many differences over m samples `phase_points` points have, each `stride` samples after the one before:
-/// 1 for overlapping differences, m for those that share no rate. 0 if there are too few points.
+/// The number of differences over steps of m samples in `phase_points` points, `stride` samples apart: 1 for
+/// overlapping differences, m for those that share no rate. 0 if there are too few points.
 [[nodiscard]] inline std::int64_t number_of_terms(DifferenceShape shape, std::int64_t m, std::int64_t phase_points,
                                                   std::int64_t stride = 1) {
   require(shape.differences >= 1 && shape.differences <= 3, "number_of_terms", "differences", shape.differences,
@@ -232,12 +233,13 @@ class CorrelationSum {
   return phase_points < 1 || span / m < steps ? 0 : (span - steps * m) / stride + 1;
 }
 
-/// The equivalent degrees of freedom of the mean of `terms` >= 1 squares of differences over m samples, each `stride`
-/// samples after the one before, of noise with the power law f^alpha of the rate's spectral density: 2 (quantisation),
-/// 1, 0 (white), −1 (flicker), −2 (random walk), −3 or −4, alpha + 2·differences > 1. 1 <= the result <= terms.
-/// Relative error below 1e-4 for the phase model (measured against all lags to 30 steps, m <= 5000), rounding only for
-/// even alpha and up to 96 lags per step of m. 0.1 to 10 µs up to there, at most 35 µs for 1 or 2 differences (85 µs
-/// for 3), for any m and number of terms. Throws std::invalid_argument for other parameters.
+/// The equivalent degrees of freedom of the mean of `terms` >= 1 squared differences over steps of m samples, `stride`
+/// samples apart. The noise has the power law f^alpha of the rate's spectral density: 2 (quantisation), 1, 0 (white),
+/// −1 (flicker), −2 (random walk), −3 or −4, with alpha + 2·differences > 1. 1 <= the result <= terms.
+///
+/// Relative error for the phase model: below 1e-4 (measured against all lags to 30 steps, m <= 5000), rounding only for
+/// even alpha and up to 96 lags per step of m. Time: 0.1 to 10 µs up to there, at most 35 µs for 1 or 2 differences
+/// (85 µs for 3), for any m and number of terms. Throws std::invalid_argument for other parameters.
 [[nodiscard]] inline double equivalent_degrees_of_freedom(DifferenceShape shape, int alpha, std::int64_t m,
                                                           std::int64_t terms, std::int64_t stride = 1,
                                                           PhaseModel model = PhaseModel::sampled) {
@@ -261,7 +263,7 @@ class CorrelationSum {
       sum += (1 - static_cast<double>(l) / static_cast<double>(terms)) * rho * rho;
     }
   } else {
-    // Even powers: ρ is 0 beyond `order` steps. Odd ones: it decays as t^−2 or faster, and ρ² beyond 16 adds 2e-5.
+    // Even powers: ρ is 0 beyond `order` steps. Odd powers: it decays as t^−2 or faster, and ρ² beyond 16 adds 2e-5.
     const double steps = averaged ? shape.differences + 1 : covariance.power() % 2 == 0 ? covariance.order() : 16;
     sum = CorrelationSum(covariance, m, terms, stride).up_to(steps);
   }

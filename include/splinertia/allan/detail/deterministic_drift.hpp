@@ -11,14 +11,15 @@
 
 namespace splinertia::allan {
 
-/// A mean that is no noise: what it gains in −2·log-likelihood, and what it has.
+/// A deterministic mean that may explain slow power, and what it gains in −2·log-likelihood.
 template <typename Scalar>
 struct DeterministicDrift {
-  Scalar gain{};              ///< less the price of its parameters
-  std::vector<Scalar> steps;  ///< times since the beginning, s; none: a smooth drift
+  Scalar gain{};              ///< after the price of its parameters
+  std::vector<Scalar> steps;  ///< times since the beginning, s; empty: a smooth drift
 };
 
-/// The best mean of one axis: b_k times weight_k of the bins with these k, to be called with b_k of unit variance.
+/// Finds the best deterministic mean of one axis in the bins with these k. weight_k scales b_k to unit variance; best()
+/// takes b_k that are already scaled.
 template <typename Scalar>
 class DriftSearch {
  public:
@@ -26,7 +27,8 @@ class DriftSearch {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   static constexpr int positions = 400, most_steps = 4, highest_degree = 4;
 
-  /// b_k of a step at time t of 0 … 1 is √(2/n)·sin(πkt) times its height, and of a mean m(t) the integral over m'.
+  /// A step at time t of 0 … 1 gives b_k = √(2/n)·sin(πkt) times its height. A mean m(t) gives the integral of that
+  /// over m'(t).
   DriftSearch(const Column& k, const Column& weight)
       : steps_(k.size(), positions), powers_(Matrix::Zero(k.size(), highest_degree)) {
     for (Eigen::Index p = 0; p < positions; ++p) {
@@ -37,7 +39,7 @@ class DriftSearch {
     }
   }
 
-  /// Of one axis; times in shares of the log.
+  /// The best mean of one axis, with times as shares of the log.
   [[nodiscard]] DeterministicDrift<Scalar> best(const Column& b) const {
     constexpr Scalar price = 3, time_price = 6;
     DeterministicDrift<Scalar> best;
@@ -49,7 +51,7 @@ class DriftSearch {
       const Scalar gain = all - rest.squaredNorm() - price * static_cast<Scalar>(d + 1);
       if (gain > best.gain) best = {gain, {}};
     }
-    // Steps one by one, each where it takes the most of what the others leave.
+    // Adds steps one by one, each where it explains the most of what the others leave.
     rest = b;
     columns = steps_;
     std::vector<Scalar> times;
@@ -70,7 +72,7 @@ class DriftSearch {
  private:
   static constexpr Scalar least_norm = Scalar(1e-12);
 
-  /// Takes what a column has of the others and of the rest, and leaves them at right angles to it.
+  /// Projects a column out of the others and of the rest, which are then orthogonal to it.
   static void take(Matrix& columns, Eigen::Index place, Column& rest) {
     const Scalar norm = columns.col(place).norm();
     if (!(norm > least_norm)) return;
@@ -82,10 +84,10 @@ class DriftSearch {
   Matrix steps_, powers_;
 };
 
-/// How well slow power can be told by a mean instead: of each axis by a smooth drift, a polynomial of time of degree 1
-/// to 4 as of a temperature, or by one to four steps. `expected` is the mean square of b_k without slow noise, by bin.
-/// Only the lowest bins count, those of one b_k each: they have all but a hundredth of what is known of either. A
-/// coefficient of a polynomial costs 3, a step 3 for its height and 6 for its time.
+/// How well a deterministic mean explains slow power: for each axis a smooth drift, a polynomial of time of degree 1 to
+/// 4 as from temperature, or one to four steps. `expected` is the mean square of b_k without slow noise, by bin. Only
+/// the lowest 100 bins, with one b_k each, are used: they have 99 % of the information. A coefficient of a polynomial
+/// costs 3, a step 3 for its height and 6 for its time.
 template <typename Scalar>
 [[nodiscard]] DeterministicDrift<Scalar> best_drift(const PooledSpectrum<Scalar>& spectrum,
                                                     const std::vector<bool>& included,
@@ -100,7 +102,7 @@ template <typename Scalar>
   const auto size = static_cast<Eigen::Index>(used.size());
   if (size < 2 * Search::highest_degree) return all;
   typename Search::Column k(size), weight(size), b(size);
-  // In units in which the weights are near one.
+  // The unit makes the weights near one.
   const Scalar unit = expected[used.front()];
   for (Eigen::Index j = 0; j < size; ++j) {
     const std::size_t i = used[static_cast<std::size_t>(j)];

@@ -15,8 +15,8 @@
 
 namespace splinertia::allan {
 
-/// The largest length ≤ n that a fast Fourier transform takes in few steps: no prime factor above 13, which leaves out
-/// 0.1 % of a log on average; any n up to 1024.
+/// The largest length ≤ n with no prime factor above 13, for a fast Fourier transform: it leaves out 0.1 % of a log on
+/// average. n itself up to 1024.
 [[nodiscard]] inline std::int64_t transform_length(std::int64_t n) {
   const auto quick = [](std::int64_t length) {
     for (const std::int64_t prime : {2, 3, 5, 7, 11, 13}) {
@@ -28,9 +28,9 @@ namespace splinertia::allan {
   return n;
 }
 
-/// The sine transform DST-I of n − 1 numbers d_1 … d_{n−1}, orthonormal: b_k = √(2/n) Σ_i d_i sin(πik/n).
-/// By a complex transform of length n of the odd continuation of d, even and odd places packed together. Error: below
-/// 1e-15 of the norm of d, also in long double, since Eigen's factors are rounded to double.
+/// The orthonormal sine transform DST-I of n − 1 numbers d_1 … d_{n−1}: b_k = √(2/n) Σ_i d_i sin(πik/n). Computed by a
+/// complex transform of length n of the odd continuation of d, with even and odd elements packed together. Error: below
+/// 1e-15 of the norm of d, also in long double, because Eigen's factors are rounded to double.
 template <typename Scalar>
 [[nodiscard]] std::vector<Scalar> sine_transform(const std::vector<Scalar>& d) {
   using Complex = std::complex<Scalar>;
@@ -52,12 +52,12 @@ template <typename Scalar>
   return b;
 }
 
-/// The spectrum of a signal's differences y_{i+1} − y_i on sines, on which white noise and random walk are exactly
-/// independent: the covariance of the differences is q·1 + r·tridiag(−1, 2, −1), whose eigenvectors these are. b_k has
-/// mean square Σ_term coefficient·basis_k(term) and, of a ramp with slope c a sample, the mean c·w_k.
+/// The sine transform b_k of a signal's differences y_{i+1} − y_i. For white noise and random walk the b_k are exactly
+/// independent: the covariance of the differences is q·1 + r·tridiag(−1, 2, −1), whose eigenvectors are these sines.
+/// b_k has the mean square Σ_term coefficient·basis_k(term). A ramp with slope c per sample adds the mean c·w_k.
 ///
-/// Neighbouring b_k are put into bins no wider than 1/64 of their frequency (the first 128 stay alone), within which
-/// the expected power is all but constant.
+/// Neighbouring b_k are combined in bins no wider than 1/64 of their frequency, within which the expected power is
+/// nearly constant. The first 127 b_k stay alone.
 template <typename Scalar>
 class DifferenceSpectrum {
  public:
@@ -66,15 +66,15 @@ class DifferenceSpectrum {
 
   struct Bin {
     Scalar frequency;                  ///< centre, Hz
-    Scalar count;                      ///< of b_k
+    Scalar count;                      ///< number of b_k
     Scalar power;                      ///< Σ b_k², in unit()²
     Scalar ramp_product, ramp_square;  ///< Σ b_k w_k and Σ w_k²
     Scalar odd_sum, even_sum;          ///< Σ b_k over odd and even k, in unit()
-    Scalar odd_count;                  ///< of the b_k with odd k
+    Scalar odd_count;                  ///< number of b_k with odd k
     std::array<Scalar, powers> basis;  ///< means over the bin: 4s², 1, 2s, 16s⁴ with s = sin(πf/rate)
   };
 
-  /// Time O(n log n), memory 8n scalars while it works.
+  /// Time O(n log n), temporary memory 8n scalars.
   explicit DifferenceSpectrum(const IntegratedSignal<Scalar>& signal) : rate_(signal.rate()), unit_(signal.unit()) {
     const auto n = static_cast<std::size_t>(transform_length(signal.samples()));
     samples_ = static_cast<std::int64_t>(n);
@@ -115,7 +115,7 @@ class DifferenceSpectrum {
   [[nodiscard]] const std::vector<Bin>& bins() const { return bins_; }
   [[nodiscard]] Scalar rate() const { return rate_; }              ///< Hz
   [[nodiscard]] Scalar unit() const { return unit_; }              ///< in the unit of the signal
-  [[nodiscard]] std::int64_t samples() const { return samples_; }  ///< read of the signal: transform_length()
+  [[nodiscard]] std::int64_t samples() const { return samples_; }  ///< number of samples used: transform_length()
 
  private:
   Scalar rate_;

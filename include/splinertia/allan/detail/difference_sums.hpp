@@ -13,11 +13,11 @@
 
 namespace splinertia::allan {
 
-/// Factors m, 2m, 4m … whose second differences share their reads: x_{i+2m} of one is x_{i+m} of the next.
+/// Factors m, 2m, 4m … Their second differences share reads: x_{i+2m} of one is x_{i+m} of the next.
 struct DoublingChain {
   static constexpr std::size_t longest = 4;
   std::int64_t first;
-  std::vector<std::size_t> places;  ///< where each factor stands in the list
+  std::vector<std::size_t> places;  ///< the index of each factor in the list
 };
 
 [[nodiscard]] inline std::vector<DoublingChain> doubling_chains(const std::vector<std::int64_t>& factors,
@@ -51,7 +51,7 @@ template <int Order, std::size_t Factors, typename Scalar>
   std::array<Lanes, Factors> squares;
   for (Lanes& s : squares) s.setZero();
   std::array<Scalar, Factors> rest{};
-  // Differences of differences: neighbouring sums are close to each other, so that these lose nothing.
+  // Differences of differences: neighbouring sums are close to each other, so that no digits are lost.
   const auto accumulate = [m](auto at, auto& sums, auto square) {
     const auto x0 = at(0);
     auto middle = at(m);
@@ -82,8 +82,9 @@ template <int Order, std::size_t Factors, typename Scalar>
 /// For each factor m, the sum of the squared differences of this order over all places where they fit: for order 2,
 /// (x_{i+2m} − 2x_{i+m} + x_i)² for i = 0 … n − 2m; for order 3, (x_{i+3m} − 3x_{i+2m} + 3x_{i+m} − x_i)².
 ///
-/// Tile by tile of x with all factors for each, so that short factors read from the fastest cache; factors that double
-/// share their reads. Factors in ascending order, at most n/Order. Relative error ≤ 1e-13 for double.
+/// x is read tile by tile, with all factors for each tile, so that short factors read from the fastest cache. Factors
+/// that double share their reads. Requires factors in ascending order, at most n/Order. Relative error ≤ 1e-13 for
+/// double.
 template <int Order, typename Scalar>
 [[nodiscard]] std::vector<Scalar> overlapping_difference_sums(const std::vector<Scalar>& x,
                                                               const std::vector<std::int64_t>& factors) {
@@ -114,7 +115,7 @@ template <int Order, typename Scalar>
   return result;
 }
 
-/// As above at every m-th place only: differences that do not overlap.
+/// As above, but at every m-th sample only: differences that do not overlap.
 template <int Order, typename Scalar>
 [[nodiscard]] Scalar separate_difference_sum(const std::vector<Scalar>& x, std::int64_t m) {
   const auto points = static_cast<std::int64_t>(x.size());
@@ -127,8 +128,8 @@ template <int Order, typename Scalar>
 
 /// Σ_j (Σ_{i=j}^{j+m−1} x_{i+2m} − 2x_{i+m} + x_i)² for j = 0 … n + 1 − 3m: what the modified deviation averages.
 ///
-/// The inner sum is carried from j to j + 1 and found anew after 8m steps (at least 1024), before rounding has
-/// gathered: 9/8 of the work, relative error ≤ 1e-12 for double.
+/// The inner sum is updated from j to j + 1 and computed anew after 8m steps (at least 1024), before rounding errors
+/// accumulate. Cost: 9/8 of the work. Relative error ≤ 1e-12 for double.
 template <typename Scalar>
 [[nodiscard]] Scalar modified_difference_sum(const std::vector<Scalar>& x, std::int64_t m) {
   const auto at = [p = x.data()](std::int64_t i) { return p[i]; };
@@ -149,9 +150,8 @@ template <typename Scalar>
   return sum.value();
 }
 
-/// What the total deviation has beyond the overlapping one: the second differences about i = 1 … m − 1 and
-/// n − m + 1 … n − 1, where x is continued beyond its ends by reflection about them: x_{−j} = 2x_0 − x_j.
-/// m at most n/2.
+/// The part of the total deviation beyond the overlapping one: the second differences about i = 1 … m − 1 and
+/// n − m + 1 … n − 1, with x extended by reflection about its ends: x_{−j} = 2x_0 − x_j. Requires m of at most n/2.
 template <typename Scalar>
 [[nodiscard]] Scalar reflected_difference_sum(const std::vector<Scalar>& x, std::int64_t m) {
   const Scalar* first = x.data();

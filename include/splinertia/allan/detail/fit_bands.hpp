@@ -12,13 +12,13 @@
 
 namespace splinertia::allan {
 
-/// Where the power of a log agrees with a model and where it does not.
+/// Compares the power of a log with that of a fitted model, band by band.
 template <typename Scalar>
 class FitBands {
  public:
   using Fit = SpectralFit<Scalar>;
 
-  /// Of a fit's result; a ratio off by less than `tolerance` is no misfit.
+  /// For the result of a fit. A ratio that is off by less than `tolerance` is no misfit.
   FitBands(const Fit& fit, const typename Fit::Result& result, bool trend, Scalar tolerance)
       : bins_(fit.spectrum().bins()),
         all_(fit.compare(result, trend)),
@@ -28,7 +28,7 @@ class FitBands {
 
   struct Window {
     std::size_t begin, end;  ///< bins
-    Scalar off;              ///< ratio, in standard deviations as of a normal number; negative: too little power
+    Scalar off;              ///< deviation of the ratio from 1 in standard deviations; negative: too little power
   };
 
   /// The most significant misfit among the included bins: of one bin, or of up to an octave of neighbours.
@@ -53,7 +53,7 @@ class FitBands {
     return worst;
   }
 
-  /// Octaves of included bins from the highest frequency down.
+  /// Octaves of included bins, highest frequency first.
   struct Octave {
     BandFit<Scalar> fit;
     Scalar count;
@@ -81,7 +81,7 @@ class FitBands {
     return octaves;
   }
 
-  /// All bins, eight an octave, those of one point all used or all not.
+  /// All bins in about eight points per octave. The bins of a point are either all used or all left out.
   [[nodiscard]] std::vector<SpectrumPoint<Scalar>> spectrum(const std::vector<bool>& included) const {
     std::vector<SpectrumPoint<Scalar>> points;
     const Scalar scale = unit_ / std::sqrt(rate_);
@@ -98,14 +98,14 @@ class FitBands {
     return points;
   }
 
-  /// The bins [begin, end) together.
+  /// The bins [begin, end) as one band.
   [[nodiscard]] BandFit<Scalar> band(std::size_t begin, std::size_t end) const {
     const Sums sums = sums_of(begin, end);
     return {{bins_[begin].frequency, bins_[end - 1].frequency}, sums.power / sums.expected, std::sqrt(2 / sums.count)};
   }
 
-  /// How often chance makes octaves, up and down, deviate from their model at least as much as these, if the model was
-  /// fitted with so many parameters: the sum of the squares of their deviations is all but chi-square.
+  /// p-value of the deviations of the octaves, in both directions, from a model that was fitted with this many
+  /// parameters. The sum of their squares is nearly chi-square.
   [[nodiscard]] static Scalar probability(const std::vector<Octave>& octaves, Scalar parameters, Scalar tolerance) {
     Scalar sum = 0;
     for (const Octave& octave : octaves) {
@@ -117,7 +117,8 @@ class FitBands {
   }
 
  private:
-  /// Over bins, of the power of the signal itself: that of its differences over what white noise of 1 has.
+  /// Sums over bins of the power of the signal itself: the power of its differences over that of unit white noise,
+  /// basis[0].
   struct Sums {
     Scalar power = 0, expected = 0, count = 0;
   };
@@ -131,7 +132,7 @@ class FitBands {
     return sums;
   }
 
-  /// Zero within the tolerance, and what is beyond it.
+  /// Zero within the tolerance, otherwise the deviation of what is beyond it.
   [[nodiscard]] static Scalar deviation(Scalar sum, Scalar count, Scalar tolerance) {
     const Scalar ratio = sum / count;
     if (std::abs(ratio - 1) <= tolerance) return 0;

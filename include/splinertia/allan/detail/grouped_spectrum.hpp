@@ -9,8 +9,8 @@
 
 namespace splinertia::allan {
 
-/// The bins of a spectrum that are used, in groups. Above the 64th, neighbours are taken together up to a tenth of
-/// their frequency: every noise term is all but linear over so little.
+/// The used bins of a spectrum in groups. Above the 64th bin, neighbours form groups as wide as a tenth of their
+/// frequency, over which every noise term is nearly linear.
 template <typename Scalar>
 struct GroupedSpectrum {
   using Column = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
@@ -21,12 +21,12 @@ struct GroupedSpectrum {
   };
   std::vector<Group> groups;
   Column frequency;  ///< centre of a group, Hz
-  Column count;      ///< of b_k
-  Column power;      ///< Σ b_k², in unit()²
-  Column share;      ///< of each b_k that counts: one, or less where there are more than a bin may have
+  Column count;      ///< number of b_k, weighted
+  Column power;      ///< Σ b_k², weighted, in unit()²
+  Column share;      ///< weight of each b_k: 1, or less to keep to most_count
   Eigen::Array<Scalar, Eigen::Dynamic, powers> basis;
 
-  /// A bin counts as at most `most_count` of b_k.
+  /// Each bin counts as at most `most_count` of b_k.
   GroupedSpectrum(const PooledSpectrum<Scalar>& spectrum, const std::vector<bool>& included, Scalar most_count) {
     const auto& bins = spectrum.bins();
     constexpr std::size_t alone = 64;

@@ -18,14 +18,14 @@ namespace splinertia::allan {
   return terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
 }
 
-/// What the models that describe a log say of each term, in the units of the signal.
+/// Estimates of each term from the models that describe a log, in the units of the signal.
 template <typename Scalar>
 class ModelEstimates {
  public:
   ModelEstimates(std::reference_wrapper<const ModelSelection<Scalar>> all, Scalar confidence, NoiseTerms candidates)
       : selection_(all), confidence_(confidence), candidates_(candidates) {}
 
-  /// Descriptions and estimates of a result of which fits and excluded are known.
+  /// Writes descriptions and estimates to a result in which fits and excluded are set.
   void write_to(NoiseEstimates<Scalar>& result) const {
     const auto descriptions = selection_.descriptions();
     for (const Model& model : descriptions) {
@@ -42,7 +42,7 @@ class ModelEstimates {
       if (!candidates_.has(term)) continue;
       const bool described_by = std::any_of(descriptions.begin(), descriptions.end(),
                                             [&](const Model& model) { return model.terms.has(term); });
-      // Slow terms share their power with others in larger models, too, which white and quantization noise hardly do.
+      // Slow terms also share their power with others in larger models. White and quantization noise hardly do.
       const bool fast = term == NoiseTerm::white || term == NoiseTerm::quantization;
       estimate(term, described_by && !fast ? with(descriptions, best) : descriptions, result);
     }
@@ -54,7 +54,7 @@ class ModelEstimates {
   using Model = typename ModelSelection<Scalar>::Model;
   using Result = typename Fit::Result;
 
-  /// Down from the longest by octaves, then three bisections.
+  /// Searches down from the longest time by octaves, then by three bisections.
   [[nodiscard]] Scalar least_correlation_time() const {
     const Model& best = selection_.best();
     const auto& likelihood = selection_.likelihood();
@@ -79,7 +79,7 @@ class ModelEstimates {
     return good;
   }
 
-  /// The models of one list and what the other has beside them.
+  /// The models of the first list, and those of the second with other terms.
   [[nodiscard]] static std::vector<Model> with(std::vector<Model> models, const std::vector<Model>& more) {
     for (const Model& model : more) {
       if (std::none_of(models.begin(), models.end(), [&](const Model& one) { return one.terms == model.terms; })) {
@@ -112,21 +112,21 @@ class ModelEstimates {
     return description;
   }
 
-  /// Root mean square of the slopes of all axes, unit() a sample.
+  /// Root mean square of the slopes of all axes, unit() per sample.
   [[nodiscard]] static Scalar trend_size(const Result& result) {
     Scalar squares = 0;
     for (const Scalar& slope : result.slopes) squares += slope * slope;
     return std::sqrt(squares / static_cast<Scalar>(result.slopes.size()));
   }
 
-  /// A slope in u/s, or the height that decays with that slope at its beginning. The unit comes last: before, it could
-  /// overflow.
+  /// The slope of a ramp in u/s, or the height in u of a warm-up with this slope at its beginning. The unit is
+  /// multiplied last, to avoid overflow.
   [[nodiscard]] Scalar trend_in_units(NoiseTerm term, Scalar slope, const Result& result) const {
     if (term == NoiseTerm::rate_ramp) return slope * spectrum().rate() * spectrum().unit();
     return slope / -std::expm1(-1 / (spectrum().rate() * result.times.decay)) * spectrum().unit();
   }
 
-  /// The coefficient of a term whose √θ this is; of a Gauss–Markov bias, of √(θ·correlation time).
+  /// The coefficient of a term, from its √θ; of a Gauss–Markov bias, from √(θ·correlation time).
   [[nodiscard]] Scalar in_units(NoiseTerm term, Scalar root) const {
     const Scalar rate = spectrum().rate(), unit = spectrum().unit();
     switch (term) {
@@ -147,7 +147,7 @@ class ModelEstimates {
     Estimate<Scalar>& estimate = result[term];
     estimate.detected = selection_.detects(term) && claimable(term, result);
     bool first = true;
-    // Beside a walk, a Gauss–Markov bias is one that forgets more slowly than the log can tell.
+    // Besides models with a walk, a Gauss–Markov bias counts as one: its time may be too long to show.
     const bool walks = term == NoiseTerm::random_walk &&
                        std::any_of(models.begin(), models.end(),
                                    [](const Model& model) { return model.terms.has(NoiseTerm::random_walk); });
@@ -160,7 +160,7 @@ class ModelEstimates {
       if (!walk_like) first = false;
     }
     if (!estimate.possible && term != NoiseTerm::gauss_markov && term != NoiseTerm::warm_up) {
-      // The largest that it could be beside what is there.
+      // The upper limit besides the terms of the best model.
       const Model& best = selection_.best();
       Model with{best.terms.with(term), {}, Scalar(0)};
       if (term == NoiseTerm::rate_ramp) with.terms = with.terms.without(NoiseTerm::warm_up);
@@ -171,14 +171,14 @@ class ModelEstimates {
     if (!estimate.detected) estimate.interval.lower = estimate.one_sigma.lower = Scalar(0);
   }
 
-  /// Terms other than white noise are named only where the log is described by them. Beside a band that was left out
-  /// because it has more power, that may be no slow term but the foot of the band, and no trend but what is left of a
-  /// line at the ends of the log.
+  /// Whether a term may be called detected. Terms other than white noise need a model that fits. Near a band that was
+  /// left out because it has more power, a slow term may be the foot of that band. A trend may be what a line in it
+  /// leaves at the ends of the log.
   [[nodiscard]] bool claimable(NoiseTerm term, const NoiseEstimates<Scalar>& result) const {
     if (term == NoiseTerm::white) return true;
     if (!result.fits) return false;
     if (term == NoiseTerm::quantization) return true;
-    // One that forgets at the lower end of its range forgets faster, as a filter or vibration does.
+    // A time at the lower end of its range is shorter in truth, as that of a filter or of vibration.
     const auto& best = selection_.best();
     if (term == NoiseTerm::gauss_markov && best.terms.has(term) &&
         best.result.times.correlation < selection_.likelihood().correlation_times().lower * 11 / 10) {
@@ -187,13 +187,13 @@ class ModelEstimates {
     const bool trend = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up;
     const Scalar reach = result.excluded.empty() || trend ? Scalar(0) : 4 * highest_slow_frequency();
     return std::none_of(result.excluded.begin(), result.excluded.end(), [&](const BandFit<Scalar>& band) {
-      // A band of the power that it should have was left out by hand.
+      // A band with the expected power was left out by the user.
       if (band.ratio > Scalar(4) / 5 && band.ratio < Scalar(5) / 4) return false;
       return trend || band.frequencies.lower < reach;
     });
   }
 
-  /// Up to where slow terms make up more than a third of the power, or to the corner of a Gauss–Markov bias, Hz.
+  /// Where slow terms cease to be more than a third of the power, or the corner of a Gauss–Markov bias if higher, Hz.
   [[nodiscard]] Scalar highest_slow_frequency() const {
     const auto& best = selection_.best();
     const Scalar corner = best.terms.has(NoiseTerm::gauss_markov)
@@ -205,7 +205,7 @@ class ModelEstimates {
     return (std::max)(corner, end > 0 ? spectrum().bins()[end - 1].frequency : Scalar(0));
   }
 
-  /// Widens an estimate by what one description says; the first also says the value.
+  /// Widens the intervals by those of one description. The first description also sets the value.
   void add(NoiseTerm term, bool walk_like, const Model& model, bool first, NoiseEstimates<Scalar>& result,
            Estimate<Scalar>& estimate) const {
     const ProfileLikelihood<Scalar> profile(selection_.likelihood(), model.terms, model.result);
@@ -242,7 +242,7 @@ class ModelEstimates {
         result.W.time_interval = profile.time(&Times::decay, likelihood.decay_times(), confidence_);
       }
     }
-    // Of what is detected, a larger model that shares its power with another term says nothing about the lower end.
+    // A larger model that shares the power of a detected term says nothing about its lower end.
     const auto bounded = [&](Interval<Scalar> more, const Interval<Scalar>& whole) {
       if (estimate.detected && !first && more.lower == 0) more.lower = whole.lower;
       return more;
@@ -251,7 +251,7 @@ class ModelEstimates {
     widen(estimate.one_sigma, bounded(one_sigma_interval, estimate.one_sigma));
   }
 
-  /// As of a model that has a walk, too, if it has nothing slow: one that is too weak to show widens it, still.
+  /// A model without slow noise gets a walk here, because one too weak to be detected still widens the interval.
   [[nodiscard]] Interval<Scalar> trend_interval(NoiseTerm term, const Model& model, Scalar confidence) const {
     NoiseTerms terms = model.terms;
     Result best = model.result;
@@ -264,7 +264,7 @@ class ModelEstimates {
     Scalar quantile = std::sqrt(chi_square_quantile(confidence, Scalar(1)));
     const Scalar walk = std::sqrt(best.theta[Fit::place(NoiseTerm::random_walk)]);
     if (terms.has(NoiseTerm::random_walk) && walk > 0) {
-      // A walk whose squared relative error is e² is known from 1/(2e²) squares: Student's quantile, to first order in
+      // A walk with the squared relative error e² has 1/(2e²) degrees of freedom: Student's quantile, to first order in
       // their inverse (Abramowitz and Stegun, 26.7.5).
       const ProfileLikelihood<Scalar> profile(selection_.likelihood(), terms, best);
       const Scalar error =
@@ -276,7 +276,7 @@ class ModelEstimates {
             trend_in_units(term, centre + half, model.result)};
   }
 
-  /// A height depends on the decay time, which has an interval of its own: so far as heights go over that.
+  /// The height depends on the decay time: the interval includes the heights at both ends of that time's interval.
   [[nodiscard]] Interval<Scalar> warm_up_interval(const Model& model, const ProfileLikelihood<Scalar>& profile,
                                                   Scalar confidence) const {
     const auto& likelihood = selection_.likelihood();

@@ -14,7 +14,8 @@
 
 namespace splinertia::allan {
 
-/// The most likely model of a set of terms: SpectralFit, and over that the times of a Gauss–Markov bias and a warm-up.
+/// The most likely model with a set of terms: SpectralFit for the coefficients, and a search over the times of a
+/// Gauss–Markov bias and a warm-up.
 template <typename Scalar>
 class ModelLikelihood {
  public:
@@ -26,12 +27,14 @@ class ModelLikelihood {
   explicit ModelLikelihood(std::reference_wrapper<const Fit> fit) : fit_(fit) {
     const auto& spectrum = fit_.spectrum();
     const Scalar samples = static_cast<Scalar>(spectrum.samples()), rate = spectrum.rate();
-    // A correlation time of fewer samples is that of the sensor's filter; of a ten-thousandth of the log, of vibration.
+    // Correlation times below 32 samples are those of the sensor's filter; below a ten-thousandth of the log, of
+    // vibration.
     correlation_ = {(std::max)(Scalar(32), samples / 10000) / rate, (std::max)(Scalar(64), samples / 4) / rate};
     decay_ = {(std::max)(Scalar(32), samples / 200) / rate, (std::max)(Scalar(64), 8 * samples) / rate};
   }
 
-  /// From scratch, or as far as a model with fewer terms leads as well: more terms are never less likely.
+  /// The better of a search from scratch and one from a `simpler` model with fewer terms, so that more terms are never
+  /// less likely.
   [[nodiscard]] Result maximise(NoiseTerms terms, const Result* simpler = nullptr) const {
     Result best = search(terms);
     if (simpler != nullptr) {
@@ -41,7 +44,7 @@ class ModelLikelihood {
     return best;
   }
 
-  /// From one that is all but it. `fixed` gives what is held at some times (Fixed, or nothing).
+  /// Searches from a nearby result. `fixed` says which coefficient to hold at given times: a Fixed, or nothing.
   template <typename FixedAt>
   [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start, const FixedAt& fixed) const {
     const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
@@ -91,7 +94,7 @@ class ModelLikelihood {
     return maximum_near(terms, best);
   }
 
-  /// Moves one time to where the likelihood is largest: steps of a third until it falls, then a parabola through three.
+  /// Optimises one time: steps by a factor of 4/3 until the likelihood falls, then a parabola through three points.
   template <typename FixedAt>
   void refine(NoiseTerms terms, const FixedAt& fixed, Result& best, Scalar Times::*time,
               const Interval<Scalar>& range) const {

@@ -14,14 +14,14 @@
 
 namespace splinertia::allan {
 
-/// Which sets of terms describe a log.
+/// Finds the sets of terms that describe a log.
 ///
-/// A model costs −2·log-likelihood and 3 for each parameter, 9 for the slope of a trend: a walk of which a log holds
-/// few independent periods looks like a ramp more often than Gaussian theory says. What costs up to 6 more than the
-/// best is as good a description as far as this log can tell: a term more has to gain 9, which one that is not there
-/// does in one log in 700 (Wilks; at the border θ = 0), and the truth, if it is one of the models, is among the
-/// descriptions in 99 % of logs (measured: docs/performance.md). So what all descriptions have in common is in the log
-/// with that confidence, and what only some have may be in it or not.
+/// The cost of a model is −2·log-likelihood plus 3 for each parameter, 9 for the slope of a trend: a walk of which a
+/// log holds few independent periods looks like a ramp more often than Gaussian theory says. Models that cost up to 6
+/// more than the best describe the log equally well, as far as it can tell. An additional term must therefore gain 9,
+/// which an absent term does in one log in 700 (Wilks; at the border θ = 0). The true model, if it is among the models,
+/// is among the descriptions in 99 % of logs (measured: docs/performance.md). A term that all descriptions have is
+/// therefore in the log with that confidence. A term that only some have may be in it or not.
 template <typename Scalar>
 class ModelSelection {
  public:
@@ -42,8 +42,8 @@ class ModelSelection {
       const NoiseTerms terms = NoiseTerms::numbered(number);
       if (is_model(terms) && terms.within(candidates)) sets.push_back(terms);
     }
-    // Simpler ones first, for others to start from; without quantization noise first, which hardly touches the slow
-    // terms: if it does not help the best, it does not help the others.
+    // Simpler sets come first, as starting points for others. Sets without quantization noise come before all others:
+    // it hardly affects the slow terms, so that if it does not improve the best model, it does not improve the others.
     std::stable_sort(sets.begin(), sets.end(), [](NoiseTerms a, NoiseTerms b) {
       return std::pair(a.has(quantization), count(a)) < std::pair(b.has(quantization), count(b));
     });
@@ -63,21 +63,21 @@ class ModelSelection {
   }
 
   [[nodiscard]] const Likelihood& likelihood() const { return likelihood_; }
-  /// The best, and those whose parameters pay for themselves as well: the cheapest first.
+  /// The best model and all that cost less than 3 more, the price of a parameter. Cheapest first.
   [[nodiscard]] std::vector<Model> best_models() const {
     std::vector<Model> found;
     std::copy_if(models_.begin(), models_.end(), std::back_inserter(found),
                  [&](const Model& model) { return model.cost < best_cost_ + price; });
     return found;
   }
-  /// What describes the log as well as the best, without models that have all terms of another one and more: the
-  /// cheapest first.
+  /// The models that describe the log as well as the best, without those that have all terms of another one and more.
+  /// Cheapest first.
   [[nodiscard]] std::vector<Model> descriptions() const {
     std::vector<Model> found;
     for (const Model& model : models_) {
       if (!plausible(model)) break;
       const bool more = std::any_of(models_.begin(), models_.end(), [&](const Model& other) {
-        // A walk stands for a Gauss–Markov bias unless that it forgets gains what its time costs.
+        // A walk replaces a Gauss–Markov bias unless the correlation time gains what it costs.
         const bool stands = other.terms.within(model.terms) || other.cost <= model.cost + price;
         return plausible(other) && other.terms != model.terms && stands && covers(model.terms, other.terms) &&
                (!covers(other.terms, model.terms) || count(other.terms) < count(model.terms));
@@ -91,11 +91,12 @@ class ModelSelection {
                              [](const Model& a, const Model& b) { return a.cost < b.cost; });
   }
 
-  /// A mean that describes the log as well as the best without a term that wanders, if there is one.
+  /// A deterministic mean that, instead of slow noise, describes the log as well as the best model does. Nothing if
+  /// there is none.
   [[nodiscard]] const std::optional<DeterministicDrift<Scalar>>& drift() const { return drift_; }
 
-  /// Whether every description has it. A Gauss–Markov bias that forgets more slowly than the log can show is a walk:
-  /// that it forgets must gain what its time costs.
+  /// Whether every description has the term. A Gauss–Markov bias with a correlation time too long for the log to show
+  /// counts as a walk: the time must gain what it costs.
   [[nodiscard]] bool detects(NoiseTerm term) const {
     const bool wanders =
         term == NoiseTerm::random_walk || term == NoiseTerm::bias_instability || term == NoiseTerm::gauss_markov;
@@ -110,7 +111,7 @@ class ModelSelection {
  private:
   static constexpr Scalar price = 3, trend_price = 9, margin = 6;
 
-  /// Whether the first can do what the second does: it has its terms, or what tends to a walk.
+  /// Whether the first has the terms of the second. A Gauss–Markov bias can stand for a walk, which is its limit.
   [[nodiscard]] static bool covers(NoiseTerms terms, NoiseTerms others) {
     if (terms.has(NoiseTerm::gauss_markov)) others = others.without(NoiseTerm::random_walk);
     return others.within(terms);
@@ -122,8 +123,8 @@ class ModelSelection {
     return sum;
   }
 
-  /// Models have one or two of the slow terms, or walk, flicker and a trend; and white noise unless what they have else
-  /// is simple. More could hardly be told from these.
+  /// Models have at most two slow terms, or walk, flicker and a trend. Without white noise they have neither a
+  /// Gauss–Markov bias nor a warm-up, and not a ramp alone. More models could hardly be told from these.
   [[nodiscard]] static bool is_model(NoiseTerms terms) {
     using enum NoiseTerm;
     const bool walk_and_flicker = terms.has(random_walk) && terms.has(bias_instability);
@@ -136,7 +137,7 @@ class ModelSelection {
 
   [[nodiscard]] bool plausible(const Model& model) const { return model.cost <= best_cost_ + margin; }
 
-  /// A mean besides the white and quantization noise of the best model.
+  /// Looks for a deterministic mean that may replace the slow terms of the best model.
   void look_for_drift() {
     using enum NoiseTerm;
     using Fit = SpectralFit<Scalar>;
@@ -146,8 +147,8 @@ class ModelSelection {
     const bool still = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
       return plausible(model) && model.terms.within(NoiseTerms{white, quantization});
     });
-    if (still) return;  // nothing slow is claimed
-    // Who names no drift among the candidates knows that there is none.
+    if (still) return;  // no slow term is detected
+    // If the candidates have no drift, the user knows that there is none.
     if (slow.empty() || !best.terms.has(white) || !(candidates_.has(rate_ramp) || candidates_.has(warm_up))) return;
     std::vector<Scalar> expected;
     const auto& theta = best.result.theta;
@@ -174,13 +175,13 @@ class ModelSelection {
       }
     }
     Result result = likelihood_.maximise(terms, simpler);
-    // One whose time gains nothing is a ramp.
+    // A warm-up whose decay time gains nothing is a ramp.
     if (terms.has(NoiseTerm::warm_up)) {
       const NoiseTerms ramp = terms.without(NoiseTerm::warm_up).with(NoiseTerm::rate_ramp);
       const bool idle = std::any_of(models_.begin(), models_.end(), [&](const Model& model) {
         return model.terms == ramp && model.result.objective - result.objective < price;
       });
-      // Without a ramp among the candidates, one that does not settle within the log.
+      // Without a ramp among the candidates, a warm-up that does not settle within the log.
       const bool unsettled = result.times.decay > likelihood_.fit().spectrum().duration();
       if (idle || (!candidates_.has(NoiseTerm::rate_ramp) && unsettled)) return;
     }

@@ -9,17 +9,17 @@
 
 namespace splinertia::allan {
 
-/// Least squares for unknowns that are not negative: the minimum of xᵀAx/2 − bᵀx, A the matrix of the normal equations
-/// and b their right side, over x ≥ 0 with x_j = 0 unless bit j of `candidates` is set. Exact, by trying each way to
-/// hold some of them at zero: for a handful of unknowns. The way that holds none comes first: if its solution is not
-/// negative, no other is better. A may be singular or badly scaled.
+/// Non-negative least squares: the minimum of xᵀAx/2 − bᵀx over x ≥ 0 with x_j = 0 unless bit j of `candidates` is set.
+/// A is the matrix of the normal equations, b their right side; A may be singular or badly scaled. Exact: it tries all
+/// subsets of unknowns at zero, which suits a handful of unknowns. The subset with none at zero comes first: if its
+/// solution is non-negative, it is the best.
 template <typename Scalar, int Size>
 [[nodiscard]] Eigen::Matrix<Scalar, Size, 1> non_negative_solution(const Eigen::Matrix<Scalar, Size, Size>& A,
                                                                    const Eigen::Matrix<Scalar, Size, 1>& b,
                                                                    unsigned candidates) {
   static_assert(Size <= 8);
   using Vector = Eigen::Matrix<Scalar, Size, 1>;
-  // In units in which each unknown is known equally well, whatever their sizes.
+  // Scales the unknowns so that A has a unit diagonal.
   Vector scale = Vector::Zero();
   for (int j = 0; j < Size; ++j) {
     if (A(j, j) > 0) scale[j] = 1 / std::sqrt(A(j, j));

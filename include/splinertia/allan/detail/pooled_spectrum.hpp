@@ -11,8 +11,8 @@
 
 namespace splinertia::allan {
 
-/// The spectra of one signal's differences, or of several that share their noise (three axes that are alike), in one
-/// unit: powers add up, trends stay apart, since each axis drifts in its own direction.
+/// The spectrum of one signal's differences, or the pooled spectra of several signals with the same noise (three axes
+/// that are alike), in one unit. Powers are added. Trends stay separate, because each axis drifts in its own direction.
 template <typename Scalar>
 class PooledSpectrum {
  public:
@@ -20,16 +20,16 @@ class PooledSpectrum {
 
   struct Bin {
     Scalar frequency;                           ///< Hz
-    Scalar count, power;                        ///< of b_k, and Σ b_k² in unit()²
-    Eigen::Matrix<Scalar, powers, 1> basis;     ///< N²·rate, K²/rate, B², Q²·rate² of 1
-    Scalar ramp_square, odd_count, even_count;  ///< of one spectrum
+    Scalar count, power;                        ///< number of b_k, and Σ b_k² in unit()²
+    Eigen::Matrix<Scalar, powers, 1> basis;     ///< mean square of b_k if N²·rate, K²/rate, B² or Q²·rate² is 1
+    Scalar ramp_square, odd_count, even_count;  ///< of a single spectrum
   };
-  /// What a bin of one spectrum says about a trend.
+  /// The sums over a bin of one spectrum that determine a trend.
   struct TrendSums {
     Scalar ramp_product, odd, even;
   };
 
-  /// Of spectra with the same rate and length.
+  /// Requires spectra with the same rate and length.
   explicit PooledSpectrum(std::span<const DifferenceSpectrum<Scalar>> spectra)
       : rate_(spectra[0].rate()), unit_(0), samples_(spectra[0].samples()) {
     for (const auto& spectrum : spectra) unit_ = (std::max)(unit_, spectrum.unit());
@@ -51,7 +51,7 @@ class PooledSpectrum {
   }
 
   [[nodiscard]] const std::vector<Bin>& bins() const { return bins_; }
-  /// Of each spectrum, by bin.
+  /// Indexed by spectrum, then by bin.
   [[nodiscard]] const std::vector<std::vector<TrendSums>>& trend_sums() const { return trend_sums_; }
   [[nodiscard]] std::size_t spectra() const { return trend_sums_.size(); }
   [[nodiscard]] Scalar rate() const { return rate_; }  ///< Hz
@@ -59,8 +59,9 @@ class PooledSpectrum {
   [[nodiscard]] std::int64_t samples() const { return samples_; }
   [[nodiscard]] Scalar duration() const { return static_cast<Scalar>(samples_) / rate_; }  ///< s
 
-  /// The mean of b_k of a trend whose differences are e^(−t/decay_time), 1 at the beginning, for odd and even k at a
-  /// bin's frequency: √(2/n)·sin θ·(1 ∓ r^n)/((1 − r)² + 4r sin²(θ/2)) with r = e^(−1/(rate·decay_time)) and θ = πk/n.
+  /// The mean of b_k at a bin's frequency, for odd and even k, of a trend with the differences e^(−t/decay_time) (1 at
+  /// the beginning): √(2/n)·sin θ·(1 ± r^n)/((1 − r)² + 4r sin²(θ/2)), plus for odd k, r = e^(−1/(rate·decay_time)),
+  /// θ = πk/n.
   struct TrendMeans {
     Scalar odd, even;
   };

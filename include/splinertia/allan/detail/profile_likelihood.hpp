@@ -13,8 +13,8 @@
 
 namespace splinertia::allan {
 
-/// Likelihood intervals of one description of a log: where −2·log-likelihood, all else at its best, is `drop` higher
-/// than at its least. They have their level whatever function of a parameter is looked at (Wilks).
+/// Profile-likelihood intervals of one description of a log. At their ends −2·log-likelihood, minimised over all other
+/// parameters, is `drop` above its minimum. Their level is the same for any function of a parameter (Wilks).
 template <typename Scalar>
 class ProfileLikelihood {
  public:
@@ -26,7 +26,7 @@ class ProfileLikelihood {
   ProfileLikelihood(std::reference_wrapper<const Likelihood> likelihood, NoiseTerms terms, Result best)
       : likelihood_(likelihood), terms_(terms), best_(std::move(best)) {}
 
-  /// Of √θ of a term with a place in θ.
+  /// The interval of √θ of a term that has a component of θ.
   [[nodiscard]] Interval<Scalar> root(NoiseTerm term, Scalar confidence) const {
     const Scalar centre = std::sqrt(best_.theta[Likelihood::Fit::place(term)]);
     const auto held = [term](Scalar root) {
@@ -35,7 +35,8 @@ class ProfileLikelihood {
     return interval(centre, confidence, held);
   }
 
-  /// Of σ·√(2/rate) of a Gauss–Markov bias of standard deviation σ, in √s: 2σ²/rate is the correlation time times θ.
+  /// The interval of σ·√(2/rate) of a Gauss–Markov bias with standard deviation σ, in unit()·√s. 2σ²/rate is the
+  /// correlation time times θ.
   [[nodiscard]] Interval<Scalar> gauss_markov_root(Scalar confidence) const {
     const Scalar centre =
         std::sqrt(best_.theta[Likelihood::Fit::place(NoiseTerm::gauss_markov)] * best_.times.correlation);
@@ -47,7 +48,7 @@ class ProfileLikelihood {
     return interval(centre, confidence, held);
   }
 
-  /// Of one of the times, on a logarithmic scale, within its range.
+  /// The interval of one of the times, within its range. The search is on a logarithmic scale.
   [[nodiscard]] Interval<Scalar> time(Scalar Times::*time, const Interval<Scalar>& range, Scalar confidence) const {
     const Scalar drop = chi_square_quantile(confidence, Scalar(1));
     const auto end = [&](Scalar limit) {
@@ -70,8 +71,8 @@ class ProfileLikelihood {
   template <typename Held>
   [[nodiscard]] Interval<Scalar> interval(Scalar centre, Scalar confidence, const Held& held) const {
     const Scalar drop = chi_square_quantile(confidence, Scalar(1));
-    // The squared relative error e² of the root is that of a scale known from 1/(2e²) squares. Of few, the ratio of
-    // likelihoods is larger than of many by 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
+    // A root with the squared relative error e² is like a scale estimated from 1/(2e²) degrees of freedom. With few of
+    // them the likelihood ratio is larger by the factor 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
     const Scalar share = centre > 0 ? end(centre, held, Scalar(1), true) / centre - 1 : Scalar(1);
     const Scalar error = (std::min)(share * share, Scalar(1) / 2);
     const Scalar corrected = drop * (1 + 2 * error / 3);
@@ -87,7 +88,7 @@ class ProfileLikelihood {
     };
     Scalar outside = 0;
     if (above) {
-      // A first step that is some share of what all the power could be.
+      // The first step is a share of the value, or of the root of all power.
       const Scalar whole = std::sqrt((std::max)(best_.theta.sum(), Likelihood::Fit::floor()));
       Scalar reach = (std::max)(centre / 8, whole / 1'000'000);
       Scalar inside = centre;
@@ -104,8 +105,8 @@ class ProfileLikelihood {
     return crossing(excess, centre, outside, drop);
   }
 
-  /// Where an excess that is below `drop` inside and above it outside crosses it. Its root is all but linear:
-  /// regula falsi (Illinois), with a bisection where that is slow, to 1e-5 of the distance.
+  /// Where the excess crosses `drop`: it is below at `inside` and above at `outside`. The root of the excess is nearly
+  /// linear. Regula falsi (Illinois), with every fourth step a bisection, to 1e-5 of the distance.
   template <typename Excess>
   [[nodiscard]] static Scalar crossing(const Excess& excess, Scalar inside, Scalar outside, Scalar drop) {
     const Scalar goal = std::sqrt(drop);

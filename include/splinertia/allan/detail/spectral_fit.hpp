@@ -18,12 +18,12 @@
 
 namespace splinertia::allan {
 
-/// Maximum likelihood of noise terms in the bins of a spectrum.
+/// Maximum-likelihood fit of noise terms to the bins of a spectrum.
 ///
-/// The b_k of a spectrum are Gaussian with mean square S_k = Σ θ_j·basis_jk and independent: exactly so for white noise
-/// and random walk, but for what is common to neighbouring bins also for the other terms. To maximise is to minimise
-/// Σ log S_k + (b_k − c w_k)²/S_k, c the slope of a trend. For given S this is linear least squares; repeated with
-/// the S found it is Fisher's scoring (McCullagh and Nelder, "Generalized Linear Models", 2.5), here with θ ≥ 0.
+/// The b_k of a spectrum are independent and Gaussian with mean square S_k = Σ θ_j·basis_jk: exactly for white noise
+/// and random walk, for the other terms except for a correlation of neighbouring bins. The fit minimises
+/// Σ log S_k + (b_k − c w_k)²/S_k with c the slope of a trend. For given S this is linear least squares; repeated with
+/// the S found it is Fisher scoring (McCullagh and Nelder, "Generalized Linear Models", 2.5), here with θ ≥ 0.
 template <typename Scalar>
 class SpectralFit {
  public:
@@ -33,16 +33,16 @@ class SpectralFit {
   using Vector = Eigen::Matrix<Scalar, powers, 1>;
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
-  /// The terms that have a place in θ.
+  /// The terms that have a component of θ.
   static constexpr FixedArray<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                                 NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                                 NoiseTerm::gauss_markov};
-  /// The place of a term in θ.
+  /// The index of a term in θ.
   [[nodiscard]] static constexpr int place(NoiseTerm term) {
     return term == NoiseTerm::gauss_markov ? powers - 1 : static_cast<int>(term);
   }
 
-  /// What a model has besides coefficients.
+  /// The time constants of a model.
   struct Times {
     Scalar correlation{};                                    ///< of the Gauss–Markov bias, s
     Scalar decay = std::numeric_limits<Scalar>::infinity();  ///< of the trend, s; infinite: a ramp
@@ -50,29 +50,29 @@ class SpectralFit {
 
   struct Result {
     Vector theta = Vector::Zero();  ///< N²·rate, K²/rate, B², Q²·rate², and 2σ²/(T·rate) of Gauss–Markov; unit()²
-    Scalar objective = (std::numeric_limits<Scalar>::max)();  ///< −2·log-likelihood, but for a constant
-    std::vector<Scalar> slopes;  ///< of each spectrum at its beginning, unit() a sample; zero if the model has no trend
-    Scalar slope_error{};        ///< standard error of a slope; zero if the model has no trend
+    Scalar objective = (std::numeric_limits<Scalar>::max)();  ///< −2·log-likelihood up to a constant
+    std::vector<Scalar> slopes;  ///< of each spectrum at its beginning, unit() per sample; zero without a trend
+    Scalar slope_error{};        ///< standard error of a slope; zero without a trend
     Times times{};
   };
 
-  /// Of the bins that are included. A bin counts as at most `most_count` of b_k, so that none has more to say.
+  /// Fits the included bins. Each counts as at most `most_count` of b_k, which limits its weight.
   SpectralFit(std::reference_wrapper<const Spectrum> spectrum, const std::vector<bool>& included,
               Scalar most_count = (std::numeric_limits<Scalar>::max)())
       : spectrum_(&spectrum.get()), included_(included), grouped_(spectrum, included, most_count) {}
 
   [[nodiscard]] const Spectrum& spectrum() const { return *spectrum_; }
   [[nodiscard]] const std::vector<bool>& included() const { return included_; }
-  /// The least S_k, in unit()²: the rounding of the largest sample. Without it, a signal that a ramp describes to the
-  /// last digit would have no likelihood.
+  /// The smallest S_k, in unit()²: the squared rounding error of the largest sample. It keeps the likelihood finite for
+  /// a signal that is a ramp to the last digit.
   [[nodiscard]] static Scalar floor() {
     return std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
   }
-  /// Groups of bins, each with one expected power.
+  /// The number of groups of bins. Each group has one expected power.
   [[nodiscard]] std::size_t groups() const { return grouped_.groups.size(); }
 
-  /// What the square of a Gauss–Markov bias of 2σ²/(T·rate) = 1 has at a bin with basis_0 = x: a random walk's 1 times
-  /// x·(1 − φ²)/(2a)/((1 − φ)² + φx), a = 1/(T·rate), φ = e^(−a).
+  /// Mean square of b_k at a bin with basis_0 = x for a Gauss–Markov bias with 2σ²/(T·rate) = 1, where a random walk
+  /// has 1: x·(1 − φ²)/(2a)/((1 − φ)² + φx), a = 1/(T·rate), φ = e^(−a).
   [[nodiscard]] Scalar gauss_markov_basis(Scalar x, Scalar correlation_time) const {
     const Scalar step = 1 / (spectrum_->rate() * correlation_time), keep = std::exp(-step), lost = -std::expm1(-step);
     return x * (lost * (1 + keep) / (2 * step)) / (lost * lost + keep * x);
@@ -83,9 +83,9 @@ class SpectralFit {
     Scalar theta;
   };
 
-  /// The most likely coefficients of a model with these times near `start`, by default a smoothed spectrum; `fixed`
-  /// holds one of them at a value. With several terms the likelihood can have more than one maximum, mostly far from
-  /// the truth. Steps that gain less than `least_gain` end the search.
+  /// The most likely coefficients of a model with these times. The search starts from `start`, by default from a
+  /// smoothed spectrum, and ends with a step that gains less than `least_gain`. `fixed` holds one coefficient at a
+  /// value. With several terms the likelihood can have more than one maximum, most of them far from the truth.
   [[nodiscard]] Result maximise(NoiseTerms terms, const Times& times = {}, const std::optional<Fixed>& fixed = {},
                                 const Vector* start = nullptr, Scalar least_gain = Scalar(1e-9)) const {
     constexpr int most_steps = 60;
@@ -105,8 +105,8 @@ class SpectralFit {
     best.objective = evaluate(work, best, expected);
     for (int i = 0; i < most_steps; ++i) {
       const Vector next = step(work, terms, fixed, expected, best.slopes);
-      // Towards it as far as that is best: a full step may pass over the top and, of a model that does not describe the
-      // signal, end as far from it on the other side.
+      // Line search: a full step may overshoot the maximum. If the model does not describe the signal, it may end as
+      // far from the maximum on the other side.
       Scalar gain = 0;
       Result further = best;
       for (Scalar share = 1; share > Scalar(1e-3); share /= 2) {
@@ -117,7 +117,7 @@ class SpectralFit {
           const bool whole = share == 1;
           gain = best.objective - trial.objective;
           further = std::move(trial);
-          // Scoring converges by whole steps next to the top.
+          // Next to the maximum, scoring converges with full steps.
           if (whole && gain < 1) break;
         } else if (gain > 0) {
           break;
@@ -130,7 +130,7 @@ class SpectralFit {
     return best;
   }
 
-  /// −2·log-likelihood of white and quantization noise alone, with the coefficients of a θ that has more.
+  /// −2·log-likelihood of white and quantization noise alone, with their coefficients in θ.
   [[nodiscard]] Scalar fast_objective(const Vector& theta) const {
     const NoiseTerms fast{NoiseTerm::white, NoiseTerm::quantization};
     const Work work = prepare(fast, {});
@@ -138,9 +138,9 @@ class SpectralFit {
     return (grouped_.count * expected.log() + grouped_.power / expected).sum();
   }
 
-  /// The power expected in a bin of the spectrum, for each b_k, and what is there without the trend.
+  /// Expected and observed power of a bin. The trend is subtracted from the observed power.
   struct Comparison {
-    Scalar expected, residual, white;  ///< of one b_k; of all; of one, white noise alone
+    Scalar expected, residual, white;  ///< of one b_k; observed, of all b_k; of one b_k, white noise alone
   };
   [[nodiscard]] std::vector<Comparison> compare(const Result& result, bool trend) const {
     std::vector<Comparison> all;
@@ -177,7 +177,7 @@ class SpectralFit {
     bool ramp;
   };
 
-  /// One for the terms that a model has.
+  /// 1 for the terms of a model, 0 for the others.
   [[nodiscard]] static Vector mask(NoiseTerms terms) {
     Vector mask = Vector::Zero();
     for (const NoiseTerm term : spectral_terms) mask[place(term)] = terms.has(term) ? Scalar(1) : Scalar(0);
@@ -234,7 +234,7 @@ class SpectralFit {
     return ((work.basis.matrix() * theta).array().max)(floor());
   }
 
-  /// A first guess of S: means over a third of an octave about each group.
+  /// First guess of S: means over a third of an octave around each group.
   [[nodiscard]] Column smooth() const {
     Column expected(grouped_.count.size());
     Eigen::Index begin = 0, end = 0;
@@ -256,7 +256,7 @@ class SpectralFit {
     return expected;
   }
 
-  /// Least squares for the slopes of the trends: the same standard error for all, since they share S.
+  /// Least-squares slopes of the trends. All have the same standard error, because they share S.
   void fit_slopes(const Work& work, const Column& expected, Result& result) const {
     const Scalar information = (work.trend_square / expected).sum();
     for (std::size_t a = 0; a < work.trend_products.size(); ++a) {
@@ -265,14 +265,14 @@ class SpectralFit {
     result.slope_error = information > 0 ? 1 / std::sqrt(information) : std::numeric_limits<Scalar>::infinity();
   }
 
-  /// The objective at trial.theta with the best slopes for it, which it sets, as it does `expected`.
+  /// The objective at trial.theta with the best slopes for it. Sets these slopes and `expected`.
   [[nodiscard]] Scalar evaluate(const Work& work, Result& trial, Column& expected) const {
     expected = expect(work, trial.theta);
     if (work.trend) fit_slopes(work, expected, trial);
     return (grouped_.count * expected.log() + residual_power(work, trial.slopes) / expected).sum();
   }
 
-  /// Weighted least squares of the power for θ ≥ 0, with the variance 2S² of the model.
+  /// Weighted least squares of the power with θ ≥ 0 and the variance 2S² of the model.
   [[nodiscard]] Vector step(const Work& work, NoiseTerms terms, const std::optional<Fixed>& fixed,
                             const Column& expected, const std::vector<Scalar>& slopes) const {
     const Column weight = expected.square().inverse();

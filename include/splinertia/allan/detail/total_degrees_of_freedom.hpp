@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-/// How many degrees of freedom an estimate of the total variance has, for its confidence interval.
+/// Equivalent degrees of freedom of an estimate of the total variance, for its confidence interval.
 ///
-/// The total variance is the mean square of n − 1 second differences z of the phase, which is continued beyond its ends
-/// by reflection (TotalDeviation). Its equivalent degrees of freedom are those of the chi-square distribution with the
-/// same variance over squared mean, (Σ_i E z_i²)²/Σ_ij (E z_i z_j)². The reflection makes z a sine series, whose
+/// The total variance is the mean square of n − 1 second differences z of the phase, which is extended at both ends by
+/// reflection (TotalDeviation). Its equivalent degrees of freedom are those of the chi-square distribution with the
+/// same ratio of variance to squared mean, (Σ_i E z_i²)²/Σ_ij (E z_i z_j)². The reflection makes z a sine series. Its
 /// coefficients are those of the cosine transform of the rates y:
 ///
 ///   Σ_i z_i² = 8/n Σ_q (Σ_k y_k cos((2k + 1) θ_q))² sin⁴(m θ_q)/sin²θ_q,   θ_q = πq/(2n),   q = 1 … n − 1.
 ///
 /// The coefficients of white rates and of a random walk are independent. Those of white phase are correlated by the
 /// first and the last phase only. For these three noises both sums are polynomials of n and m. For the others they have
-/// the same form, with terms that are fitted to the covariance matrices of 8 to 3000 rates.
+/// the same form, with terms fitted to the covariance matrices of 8 to 3000 rates.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ struct TotalSquares {
   double half_variance;  ///< Σ_ij (E z_i z_j)²
 };
 
-/// Of n rates with averaging factor m, 1 <= m <= n/2, and the power law f^alpha, alpha from −4 to 2. Exact for 2, 0 and
-/// −2. Those for 1 and −1 are for m >= 2: nothing is reflected for m = 1.
+/// The moments for n rates, averaging factor m, 1 <= m <= n/2, and the power law f^alpha, alpha from −4 to 2. Exact for
+/// 2, 0 and −2. Those for 1 and −1 hold for m >= 2: nothing is reflected for m = 1.
 [[nodiscard]] inline TotalSquares total_squares(int alpha, double m, double n) {
   constexpr double pi = std::numbers::pi;
   const double m2 = m * m, m4 = m2 * m2, log_m = std::log(m), share = m / n;
@@ -40,7 +40,7 @@ struct TotalSquares {
     case 2:
       return {6 * n + 8 * m - (even ? 6 : 14),
               70 * n + 32 * m2 + 112 * m - (even ? 122 : 250) + (2 * m == n ? 4 * m - 2 : 0)};
-    case 1:  // all that is reflected at an end has its phase in common, which gives the terms with log m
+    case 1:  // all terms reflected at an end share its phase, which gives the terms with log m
       return {
           6 / pi * n * (log_m + 1.73246 + 5 / (96 * m2)) + m * (8 / pi * log_m - 0.57666) + (even ? 1.33149 : -2.63781),
           20 * n * m + m2 * (log_m * (32 / (pi * pi) * log_m + 13.867) + 2.4355) + m * (even ? 1.093 : -7.6244)};
@@ -57,7 +57,7 @@ struct TotalSquares {
     case -3:
       return {(1.52172 - std::log(share) - share * (2.21323 - 1.15866 * share) + 0.75681 / m2 + 2.2106 / (n * m)) / pi,
               0.562554 - share * (0.845632 + share * (0.158563 - 0.543576 * share)) + 1.14671 / (n * m)};
-    default: {  // −4: next to nothing but the drift that the noise has become
+    default: {  // −4: the noise has become little else than a drift
       const double u = std::sqrt(m2 - 1) / n;
       return {1, 1 / (1.5 - u * (1.3848 - u * (1.1907 - 0.3098 * u)) - 4.96 / (n * n * m2))};
     }
@@ -73,18 +73,19 @@ struct TotalSquares {
 /// 0.5 % (0.2 %) for −4. Neither the total nor the Allan variance converges for −3 and −4: these are the degrees of
 /// noise that begins with the log.
 ///
-/// PhaseModel::greenhall_riley: b·rates/m − c where it is published, Howe, Riley (ed.), NIST SP 1065 (2008): (b, c) =
-/// (1.5, 0) for 0, (1.168, 0.222) for −1, (0.927, 0.358) for −2; the others as `sampled`. These are of a continuous
-/// phase. At m = 1, 2, 4, 8, 16 they are 2.26, 1.31, 1.08, 1.02, 1.005 times the exact value for 0; 1.44, 0.98, 0.97,
-/// 0.98, 0.99 times for −1; 0.93, 0.90, 0.97, 0.99, 1.002 times for −2; within 1.2 % of it for longer m (256 rates).
+/// PhaseModel::greenhall_riley: b·rates/m − c where published (Howe, Riley (ed.), NIST SP 1065 (2008)), with (b, c) =
+/// (1.5, 0) for 0, (1.168, 0.222) for −1, (0.927, 0.358) for −2; the others as `sampled`. These are for a continuous
+/// phase. At m = 1, 2, 4, 8, 16 their ratio to the exact value is 2.26, 1.31, 1.08, 1.02, 1.005 for 0; 1.44, 0.98,
+/// 0.97, 0.98, 0.99 for −1; 0.93, 0.90, 0.97, 0.99, 1.002 for −2; for longer m it is within 1.2 % of 1 (256 rates).
 ///
-/// The total variance has another mean than Allan's, by a share of m/rates of it: −0.48 for −1 and −0.75 for −2 (SP
-/// 1065), none for 0, 4/3 for 2, and 0.8 (m = 8) to 1.03 (m = 1500) for 1. Intervals with these degrees are about its
-/// own mean.
+/// The mean of the total variance differs from Allan's by a share of m/rates of it: −0.48 for −1 and −0.75 for −2 (SP
+/// 1065), none for 0, 4/3 for 2, and 0.8 (m = 8) to 1.03 (m = 1500) for 1. Intervals with these degrees of freedom are
+/// about its own mean.
 ///
-/// A chi-square distribution is wider than that of few squares, or of many small and a few large ones. Of 20 000 logs
-/// of 512 rates, intervals of 68.3 % hold in 68 to 70 % up to m = 64 for 0, −1, −2 (95 %: 95 to 96 %); at m = n/2 in
-/// 73, 72 and 74 % (97 %), in 81 and 78 % (96 to 97 %) for 2 and 1, and at all m in 73 to 81 % (97 %) for −3 and −4.
+/// Intervals hold as often as they say or more: a chi-square distribution is wider than that of few squares, or of many
+/// small and a few large ones. In 20 000 logs of 512 rates, intervals of 68.3 % hold in 68 to 70 % up to m = 64 for 0,
+/// −1, −2 (95 %: 95 to 96 %); at m = n/2 in 73, 72 and 74 % (97 %), in 81 and 78 % (96 to 97 %) for 2 and 1; and at all
+/// m in 73 to 81 % (97 %) for −3 and −4.
 ///
 /// Throws std::invalid_argument for other alpha, m < 1, and m > rates/2, for which there is no TotalDeviation.
 [[nodiscard]] inline double total_degrees_of_freedom(int alpha, std::int64_t m, std::int64_t rates,

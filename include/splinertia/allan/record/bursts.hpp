@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Stamps that tell when packets of samples arrived, not when the samples were taken.
+/// Recognises stamps that are arrival times of packets, not times of samples.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -19,23 +19,23 @@ struct Bursts {
   double samples;        ///< in a burst, mean
   double spacing;        ///< between the samples of a burst, median, s
   double period;         ///< from one burst to the next, mean, s
-  double rate;           ///< Hz: samples over time, from the beginning of the first whole burst to that of the last
-  std::int64_t holes;    ///< pauses longer than three periods; the rate is that without them
-  std::int64_t missing;  ///< samples that there would be in the holes
+  double rate;           ///< Hz: samples over time, from the start of the first whole burst to that of the last
+  std::int64_t holes;    ///< pauses longer than three usual ones; not counted in the rate
+  std::int64_t missing;  ///< number of samples missing in the holes
 };
 
 }  // namespace splinertia::allan
 
 namespace splinertia::detail {
 
-/// Requires values. Changes their order.
+/// The upper median. Requires values, and changes their order.
 [[nodiscard]] inline double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// The sums of all rows of so many intervals, in order. Requires 1 ≤ row ≤ intervals.
+/// The sums of each `row` intervals in succession, in order. Requires 1 ≤ row ≤ intervals.
 [[nodiscard]] inline std::vector<double> sums_of_rows(std::span<const double> intervals, std::size_t row) {
   std::vector<double> sums;
   sums.reserve(intervals.size() - row + 1);
@@ -49,7 +49,7 @@ namespace splinertia::detail {
   return sums;
 }
 
-/// The mean of some intervals in a row, median over all such rows: neither holes nor bursts move it much.
+/// The mean of `row` intervals in succession, median over all such rows: holes and bursts hardly change it.
 [[nodiscard]] inline double typical_mean(std::span<const double> intervals, std::size_t row) {
   row = (std::min)(row, intervals.size());
   std::vector<double> sums = sums_of_rows(intervals, row);
@@ -60,9 +60,9 @@ namespace splinertia::detail {
 
 namespace splinertia::allan {
 
-/// Recognises bursts of 2 to about 100 samples in the intervals of stamps (s): nine tenths of them are either shorter
-/// than a quarter of their mean or longer than it, and pauses recur at least every 128 samples. Nothing for stamps that
-/// merely jitter, or for fewer than 16 intervals.
+/// Recognises bursts of 2 to about 100 samples in the intervals of stamps (s). Nine tenths of the intervals are either
+/// shorter than a quarter of their mean or longer than it, and pauses recur at least every 128 samples. Returns nothing
+/// for stamps that merely jitter, and for fewer than 16 intervals.
 [[nodiscard]] inline std::optional<Bursts> find_bursts(std::span<const double> intervals) {
   constexpr std::size_t longest_burst = 128;
   const std::size_t n = intervals.size();

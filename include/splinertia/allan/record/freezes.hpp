@@ -11,7 +11,7 @@
 
 namespace splinertia::allan {
 
-/// Whether all samples have the same value: a dead axis, which IntegratedSignal refuses. True for no samples.
+/// Whether all samples have the same value: a dead axis, which IntegratedSignal rejects. True for no samples.
 template <Signal S>
 [[nodiscard]] bool is_constant(const S& signal) {
   const auto begin = std::begin(signal), end = std::end(signal);
@@ -20,8 +20,8 @@ template <Signal S>
 
 /// Runs of equal values in a signal.
 struct EqualRuns {
-  std::int64_t count = 0;          ///< of all runs, those of one sample included
-  std::vector<SampleSpan> longer;  ///< those that are long enough to matter, in order
+  std::int64_t count = 0;          ///< number of runs, including those of one sample
+  std::vector<SampleSpan> longer;  ///< the listed runs, in order
 };
 
 /// The runs of a signal; those of at least `least` samples are listed.
@@ -42,13 +42,13 @@ template <Signal S>
   return result;
 }
 
-/// The spans in which a signal does not change at all although it usually does, in order: a sensor or a driver that
-/// hangs. Runs of equal values are compared with the others of this signal. A freeze has at least 50 samples and four
-/// times as many as the longest run that is not a freeze. For each freeze there are at least twenty other runs. So a
-/// coarse resolution, and samples that are held for several intervals, are taken for what they are.
+/// The spans in which a signal does not change although it usually does, in order: the sensor or a driver hangs. Runs
+/// of equal values are compared with the other runs of the signal. A freeze has at least 50 samples and at least four
+/// times as many as the longest run that is not a freeze, and there are at least twenty other runs for each freeze. A
+/// coarse resolution, or samples that are held for several intervals, are therefore not taken for freezes.
 ///
-/// Shortest freeze found in white noise of standard deviation σ (1200 s at 100 Hz): 50 samples; with a resolution of σ
-/// 60, of 2 σ 400, of 4 σ 2000; with values held for 10 samples 50, and 400 with a resolution of 0.3 σ besides. False
+/// Shortest freeze found in white noise of standard deviation σ (1200 s at 100 Hz): 50 samples. With a resolution of σ
+/// 60, of 2 σ 400, of 4 σ 2000. With values held for 10 samples 50, and 400 if the resolution is 0.3 σ besides. False
 /// alarms: none in 200 logs each of resolutions of 0.3 to 6 σ, with and without a random walk of the mean, and of
 /// values held for 2, 5 and 10 samples. A constant signal has no freezes, see is_constant().
 ///

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which samples a log lacks, told from stamps that jitter.
+/// Finds the samples that a log lacks, from stamps that jitter.
 #pragma once
 
 #include <algorithm>
@@ -22,19 +22,20 @@ struct MissingSamples {
 
 namespace splinertia::detail {
 
-/// The most likely course of the sampling grid along the stamps. With r_i the time of sample i less i nominal
-/// intervals, in nominal intervals, r_i = φ + m_i + jitter: m_i counts the samples that are missing so far and φ is the
-/// phase of the grid. Each hypothesis about m_i keeps its own φ (a loop of second order, so that a nominal interval
-/// that is slightly off and clocks that drift do no harm) and the costs of its past: the squared jitter in units of
-/// twice its variance, at most that of a whole interval, plus a price for every place with missing samples. A single
-/// late stamp is cheaper as jitter, a lasting delay is cheaper as missing samples. The best few hypotheses survive,
-/// one for each m_i (Viterbi's algorithm with per-survivor phases: Raheli, Polydoros and Tzou 1995).
+/// Follows the most likely sampling grid along the stamps. With r_i the time of sample i less i nominal intervals, in
+/// nominal intervals, r_i = φ + m_i + jitter: m_i is the number of samples missing so far and φ the phase of the grid.
+///
+/// Each hypothesis about m_i keeps its own φ, by a loop of second order, so that a nominal interval that is slightly
+/// off and clocks that drift do no harm. Its cost is the sum of the squared jitter in units of twice its variance, each
+/// at most that of a whole interval, plus a price for every place with missing samples. A single late stamp is cheaper
+/// as jitter, a lasting delay is cheaper as missing samples. The best few hypotheses survive, one for each m_i
+/// (Viterbi's algorithm with per-survivor phases: Raheli, Polydoros and Tzou 1995).
 class GridSearch {
  public:
   /// `deviation`: standard deviation of the jitter, in intervals.
   explicit GridSearch(double deviation) : weight_(1 / (2 * deviation * deviation)) {}
 
-  /// The next sample, whose interval to the one before is `length` nominal ones.
+  /// Adds the next sample. `length` is its interval to the one before, in nominal intervals.
   void add(std::int64_t interval, double length) {
     position_ += (std::min)(length, longest) - 1;
     next_.clear();
@@ -47,24 +48,25 @@ class GridSearch {
       extend(h, ahead, least + 1, interval);
     }
     std::sort(next_.begin(), next_.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    // More missing than the best has: to be had later for one price, so that a cost of several is hopeless.
+    // The best hypothesis can still add missing samples later, for one price. One that has more of them and costs ten
+    // prices more is hopeless.
     const Hypothesis leader = next_.front();
     std::erase_if(next_,
                   [&](const Hypothesis& h) { return h.missing > leader.missing && h.cost > leader.cost + 10 * price; });
-    // The one with the fewest missing stays, because late stamps may catch up: it is the only way back.
+    // The one with the fewest missing stays: late stamps may catch up, and no other way leads back to it.
     const auto fewest = std::min_element(next_.begin(), next_.end(),
                                          [](const auto& a, const auto& b) { return a.missing < b.missing; });
     if (fewest - next_.begin() >= survivors) next_[survivors - 1] = *fewest;
     if (next_.size() > survivors) next_.resize(survivors);
     hypotheses_.swap(next_);
-    // Costs are compared with each other only, and must not grow without end.
+    // Only differences of costs matter. The best is subtracted to keep them bounded.
     const double best = hypotheses_.front().cost;
     for (Hypothesis& h : hypotheses_) h.cost -= best;
     while (hypotheses_.back().cost > hopeless) hypotheses_.pop_back();
     ++samples_;
   }
 
-  /// Of the best hypothesis, in order.
+  /// The missing samples of the best hypothesis, in order.
   [[nodiscard]] std::vector<allan::MissingSamples> found() const {
     std::vector<allan::MissingSamples> result;
     for (std::size_t link = hypotheses_.front().last; link != none; link = links_[link].before) {
@@ -77,17 +79,17 @@ class GridSearch {
  private:
   static constexpr std::ptrdiff_t survivors = 6;
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  static constexpr double longest = 1e9;   // interval: so that no sum of missing samples leaves 64 bits
-  static constexpr double hopeless = 1e4;  // costs above those of the best
-  static constexpr double price = 15;      // of a place with missing samples: once in e^15 samples by chance
-  static constexpr double earliest = 0.3;  // so far ahead of the grid is the stamp after a missing sample, at least
+  static constexpr double longest = 1e9;   // limit of an interval, so that sums of missing samples fit in 64 bits
+  static constexpr double hopeless = 1e4;  // cost above the best at which a hypothesis is dropped
+  static constexpr double price = 15;      // of a place with missing samples: by chance once in e^15 samples
+  static constexpr double earliest = 0.3;  // a stamp after a missing sample is at least this late on the grid
   static constexpr double trusted = 0.6;   // jitter beyond it does not move the phase
-  static constexpr std::int64_t first_samples = 16;  // the phase of the first alone may be off by its jitter
-  static constexpr double slowest = 1.0 / 32;        // how much of its jitter a stamp moves the phase by
+  static constexpr std::int64_t first_samples = 16;  // these always move the phase: the first may be off by its jitter
+  static constexpr double slowest = 1.0 / 32;        // share of its jitter by which a stamp moves the phase, at last
 
   struct Hypothesis {
     std::int64_t missing = 0;
-    double phase = 0, drift = 0;  // of the grid; and per sample
+    double phase = 0, drift = 0;  // of the grid, and its change per sample
     double cost = 0;
     std::size_t last = none;  // in links_
   };
@@ -96,7 +98,7 @@ class GridSearch {
     std::size_t before;
   };
 
-  /// Adds the hypothesis that so many more are missing, unless one with the same sum is cheaper.
+  /// Adds the hypothesis that `more` samples are missing here, unless one with the same total is cheaper.
   void extend(const Hypothesis& from, double ahead, std::int64_t more, std::int64_t interval) {
     const double jitter = ahead - static_cast<double>(more);
     Hypothesis to = from;
@@ -132,11 +134,11 @@ class GridSearch {
 
 namespace splinertia::allan {
 
-/// Finds the samples that are missing between stamps. `intervals` are those from one stamp to the next, `nominal` is
-/// about that of the sampling, within some percent, both in s. Counts from cumulated time, so that a late stamp before
-/// a short interval is no gap: with jitter of up to 0.3 intervals (rms, of the stamps) a regular log has none missing,
-/// and each that is missing is found. Its place is then off by some samples, and one that is missing among the last few
-/// is not told from a late stamp. Throws std::invalid_argument unless `nominal` is positive and finite.
+/// Finds the samples that are missing between stamps. `intervals` are those from one stamp to the next and `nominal` is
+/// the sampling interval to within some percent, both in s. The search uses cumulated time, so that a late stamp before
+/// a short interval is no gap: with jitter of up to 0.3 intervals (rms, of the stamps) nothing is missing in a regular
+/// log, and every missing sample is found. Its place is then off by some samples. A sample missing among the last few
+/// cannot be told from a late stamp. Throws std::invalid_argument unless `nominal` is positive and finite.
 [[nodiscard]] inline std::vector<MissingSamples> find_missing_samples(const std::vector<double>& intervals,
                                                                       double nominal) {
   require_positive("find_missing_samples", "nominal", nominal);
@@ -146,7 +148,7 @@ namespace splinertia::allan {
   for (const double interval : intervals) deviations.push_back(std::abs(interval / nominal - 1));
   const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
   std::nth_element(deviations.begin(), middle, deviations.end());
-  // An interval has the jitter of two stamps, the median of its size is 0.6745 standard deviations.
+  // An interval has the jitter of two stamps. The median of its magnitude is 0.6745 standard deviations.
   const double jitter = *middle / 0.6745 / std::sqrt(2.0);
   detail::GridSearch search(std::clamp(jitter, 0.1, 0.4));
   for (std::size_t i = 0; i < intervals.size(); ++i) search.add(static_cast<std::int64_t>(i), intervals[i] / nominal);

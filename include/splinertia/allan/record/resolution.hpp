@@ -16,11 +16,11 @@ namespace splinertia::allan {
 
 /// The resolution of a signal (least significant bit, LSB) in its unit: the spacing of the values it takes.
 ///
-/// 16384 samples, spread over the signal, are looked at. The spacing is the lower quartile of the distances between
-/// neighbouring values, refined over all of them. 95 % of the distances must be multiples of it to within a quarter
-/// (all but one or two of fewer than 40). That leaves room for text that was rounded to a fifth of the resolution,
-/// and for a stray value. Nothing where values hardly ever repeat (a resolution below about 1/1000 of the spread, which
-/// does not matter), where they are not equally spaced, and for a constant signal.
+/// At least 16384 samples, spread over the signal, are read (all of a shorter one). The spacing is the lower quartile
+/// of the distances between neighbouring values, refined over all of them. 95 % of the distances must be multiples of
+/// it to within a quarter (all but one or two of fewer than 40). That tolerates text rounded to a fifth of the
+/// resolution, and a stray value. Returns nothing if values hardly ever repeat (a resolution below about 1/1000 of the
+/// spread, which does not matter), if they are not equally spaced, and for a constant signal.
 template <Signal S>
 [[nodiscard]] std::optional<double> find_resolution(const S& signal) {
   constexpr std::int64_t most = 16384;
@@ -59,14 +59,15 @@ template <Signal S>
 /// What rounding does to an estimate of white noise.
 enum class RoundingEffect {
   none,    ///< N is less than 1 % too large
-  slight,  ///< N is up to 17 % too large; white_noise_before_rounding() takes that out to within 2 %
+  slight,  ///< N is up to 17 % too large; white_noise_before_rounding() corrects that to within 2 %
   invalid  ///< N says nothing of the sensor: it may be too small by any factor, or too large by LSB/2σ
 };
 
-/// From the resolution and the standard deviation of a sample as it was measured after rounding (N √rate), in the same
-/// unit. Rounding adds an error that is white, independent and of standard deviation LSB/√12, as long as LSB < 2σ; σ is
-/// the deviation before rounding (Widrow, Kollár, "Quantization Noise", 2008, chapter 5). Above, all depends on where
-/// the mean is between two values. Measured over before rounding, with the mean on a value and half-way between two:
+/// The effect, from the resolution and the standard deviation of a sample measured after rounding (N √rate), in the
+/// same unit. As long as LSB < 2σ, with σ the standard deviation before rounding, rounding adds a white, independent
+/// error of standard deviation LSB/√12 (Widrow, Kollár, "Quantization Noise", 2008, chapter 5). Above, everything
+/// depends on where the mean is between two values. Standard deviation after rounding over that before, with the mean
+/// on a value and half-way between two:
 ///
 ///   LSB/σ           0.3     0.5     1       1.5     2       2.5     3       4       6
 ///   on a value      1.004   1.010   1.041   1.089   1.141   1.151   1.097   0.853   0.312
@@ -82,7 +83,7 @@ enum class RoundingEffect {
 }
 
 /// White noise N [unit/√Hz] without what rounding adds: √(N² − LSB²/(12 rate)), rate in Hz. Right to within 2 % for
-/// RoundingEffect::none and slight; 0 where rounding alone would be more than N.
+/// RoundingEffect::none and slight; 0 if rounding alone explains more than N.
 /// Throws std::invalid_argument for a rate that is not > 0, and for N and a resolution that are not >= 0.
 [[nodiscard]] inline double white_noise_before_rounding(double N, double resolution, double rate) {
   require_non_negative("white_noise_before_rounding", "N", N);

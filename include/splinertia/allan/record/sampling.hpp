@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How regularly a log was sampled, which an Allan analysis takes for granted.
+/// How regularly a log was sampled. An Allan analysis assumes equal spacing.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace splinertia::allan {
 
-/// From one sample to the next.
+/// The interval from one sample to the next.
 template <TimePoint Time>
 struct StampInterval {
   std::int64_t index;  ///< of the sample that it begins with, from 0
@@ -33,16 +33,16 @@ struct StampInterval {
 template <TimePoint Time>
 struct Sampling {
   std::int64_t samples;
-  double rate;                   ///< Hz, of the sensor: samples that are missing are counted
-  double nominal_interval;       ///< median of the intervals, of bursts their mean, s
-  double jitter;                 ///< of the intervals about the nominal one, without gaps: root mean square, s
+  double rate;                   ///< Hz, of the sensor: missing samples count
+  double nominal_interval;       ///< median of the intervals, s; for bursts 1/rate
+  double jitter;                 ///< root mean square of interval − nominal interval, without gaps, s
   double largest_jitter;         ///< s
-  StampInterval<Time> longest;   ///< of all intervals
-  std::int64_t gaps;             ///< places where samples are missing
-  std::int64_t missing;          ///< samples that are missing there
-  std::optional<Bursts> bursts;  ///< the stamps are arrival times of packets; gaps are then their holes
+  StampInterval<Time> longest;   ///< longest of all intervals, gaps included
+  std::int64_t gaps;             ///< number of places where samples are missing
+  std::int64_t missing;          ///< number of missing samples
+  std::optional<Bursts> bursts;  ///< set if the stamps are arrival times of packets; gaps are then their holes
 
-  /// Of the samples that there should be, how many are missing.
+  /// Missing samples over all that there should be.
   [[nodiscard]] double missing_share() const {
     return static_cast<double>(missing) / static_cast<double>(samples + missing);
   }
@@ -52,7 +52,7 @@ struct Sampling {
 
 namespace splinertia::detail {
 
-/// The intervals of stamps in s, without those before the samples `breaks`, and the longest of them.
+/// The intervals of stamps in s, except those before the samples `breaks`, and the longest of them.
 template <TimePoint Time>
 struct StampIntervals {
   std::vector<double> durations;
@@ -106,9 +106,9 @@ struct StampIntervals {
   }
 };
 
-/// The interval of the sampling grid: without what is missing. It is the mean of the intervals near their median where
-/// nearly all are about a multiple of that. Otherwise the stamps jitter or are coarse, so that single intervals say
-/// little: it is the mean of 8 in a row over all rows without a missing sample.
+/// The interval of the sampling grid, as if no sample were missing. If at least 95 % of the intervals are near a
+/// multiple of their median, it is the mean of those near the median. Otherwise the stamps jitter or are coarse, so
+/// that single intervals say little: it is then the mean of 8 in a row over all rows without a missing sample.
 [[nodiscard]] inline double grid_interval(std::span<const double> intervals, double median) {
   constexpr std::size_t row = 8;
   std::size_t near_multiple = 0, nearby = 0;
@@ -129,7 +129,7 @@ struct StampIntervals {
     double mean = 0;
   };
   const std::vector<double> sums = sums_of_rows(intervals, row);
-  const auto rows_near = [&](double nominal, double share) {  // whose sum is that of no missing sample
+  const auto rows_near = [&](double nominal, double share) {  // whose sum is that of `row` intervals
     Rows rows;
     for (const double sum : sums) {
       if (std::abs(sum / nominal - row) > share) continue;
@@ -149,10 +149,10 @@ struct StampIntervals {
 
 namespace splinertia::allan {
 
-/// Reads time stamps: seconds, or an integer std::chrono::duration. `breaks` are the indices of samples before which a
-/// stretch was left out on purpose, in increasing order; no sample is missing there. Throws std::invalid_argument for
-/// fewer than 3 stamps, and for stamps that are not finite or do not increase, naming the first of them. Memory: three
-/// doubles for each.
+/// Measures the sampling from time stamps: seconds, or an integer std::chrono::duration. `breaks` are the indices, in
+/// increasing order, of samples before which a stretch was left out on purpose; no sample is missing there. Throws
+/// std::invalid_argument for fewer than 3 stamps, and for stamps that are not finite or do not increase, naming the
+/// first of them. Memory: three doubles per stamp.
 template <std::ranges::forward_range Stamps>
   requires TimePoint<std::ranges::range_value_t<Stamps>>
 [[nodiscard]] Sampling<std::ranges::range_value_t<Stamps>> measure_sampling(const Stamps& stamps,
@@ -193,23 +193,24 @@ template <std::ranges::forward_range Stamps>
   return result;
 }
 
-/// How irregular a log may be that is analysed as if its samples were equally spaced.
+/// How irregular a log may be to be analysed as if its samples were equally spaced.
 struct SamplingLimits {
-  /// Share of the samples. The samples on both sides of a gap are taken for neighbours, nothing is made up in between.
-  /// That leaves white noise as it is, which a gap filled by interpolation would not, since it knows of no order; the
-  /// averaging times and K² are off by the missing share. What it breaks is where the order counts: the random walk
-  /// steps by a whole gap at once, the errors of quantization no longer cancel, and a long gap is often no gap of the
-  /// stamps alone, but a sensor that was started anew with another bias. With one sample in a thousand that is below
-  /// the uncertainty of what an hour at rest says about anything but white noise.
+  /// Largest share of missing samples. The samples on both sides of a gap are taken as neighbours; nothing is filled
+  /// in. This leaves white noise unchanged, because it has no order; interpolation would not. Averaging times and K²
+  /// are off by the missing share. Effects that depend on order suffer: a random walk steps by a whole gap at once,
+  /// quantization errors no longer cancel, and a long gap often means that the sensor was restarted with another bias.
+  /// With one sample in a thousand missing, all that is below the uncertainty of what an hour at rest says about
+  /// anything but white noise.
   double missing = 1e-3;
-  /// Of the intervals, root mean square, in nominal ones. Noise does not mind when it was sampled to first order, so
-  /// that a late stamp here and there does no harm. Stamps that vary more are rather arrival times.
+  /// Largest root mean square of the jitter of intervals, in nominal intervals. To first order noise does not depend on
+  /// when it was sampled, so that a late stamp here and there does no harm. Stamps that vary more are likely arrival
+  /// times.
   double jitter = 0.2;
-  /// The stamps may be arrival times: any jitter, and bursts. Only the rate is taken from them.
+  /// Accept stamps that are arrival times, with any jitter and with bursts. Only the rate is taken from them.
   bool arrival_times = false;
 };
 
-/// Throws std::invalid_argument, saying by how much and where, unless the sampling is within the limits.
+/// Throws std::invalid_argument, saying by how much and where, if the sampling exceeds the limits.
 template <TimePoint Time>
 void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limits = {}) {
   require_non_negative("SamplingLimits", "missing", limits.missing);

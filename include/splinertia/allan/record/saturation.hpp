@@ -10,21 +10,21 @@ namespace splinertia::allan {
 /// Samples at the ends of a sensor's range.
 struct Saturation {
   std::int64_t lowest = 0;   ///< samples at the lowest value, if it is an end of the range
-  std::int64_t highest = 0;  ///< at the highest
+  std::int64_t highest = 0;  ///< samples at the highest value, likewise
 
   [[nodiscard]] std::int64_t samples() const { return lowest + highest; }
 };
 
-/// Finds whether a signal was clipped: its extreme value is then there at least 20 times, and five times as often as
-/// the value next to it. Of noise it is there less often, however coarse its resolution: the tails of a distribution
-/// fall. One pass.
+/// Finds clipped samples. A signal is clipped if its extreme value occurs at least 20 times, and five times as often as
+/// the value next to it. In noise it occurs less often, however coarse the resolution, because the tails of a
+/// distribution fall. One pass.
 template <Signal S>
 [[nodiscard]] Saturation find_saturation(const S& signal) {
   struct End {
     double value, next;
     std::int64_t count = 0, next_count = 0;
 
-    /// `beyond`: value is further out than what there was.
+    /// `beyond`: the sample is further out than `value`. `between`: it is between `next` and `value`.
     void add(double sample, bool beyond, bool between) {
       if (beyond) {
         next = value;
@@ -49,7 +49,7 @@ template <Signal S>
     low.add(value, value<low.value, value> low.value && value < low.next);
     high.add(value, value > high.value, value < high.value && value > high.next);
   }
-  // A signal of two values has no tails to look at.
+  // A signal with two values or fewer has no tails to compare.
   if (low.next == high.value || low.value == high.value) return {};
   return {low.clipped(), high.clipped()};
 }

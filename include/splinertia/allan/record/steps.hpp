@@ -23,17 +23,17 @@ struct Step {
   std::int64_t sample;    ///< first sample at the level after the change
   double height;          ///< level after − level before, in the signal's unit
   double standard_error;  ///< of the height, in the signal's unit
-  double significance;    ///< the change over what is usual between windows of the same width in this signal
+  double significance;    ///< the change over the usual one between windows of this width in this signal
   std::int64_t duration;  ///< samples between the levels: 0 for a sudden step, more for a slow tilt
 };
 
 struct StepOptions {
   double false_alarms = 1e-4;             ///< probability of any step in a log of Gaussian noise
-  double least_height = 0;                ///< lower steps are not reported, in the signal's unit
-  std::vector<SampleSpan> left_out = {};  ///< not looked at, such as freezes
+  double least_height = 0;                ///< lower steps are not reported; in the signal's unit
+  std::vector<SampleSpan> left_out = {};  ///< not searched, such as freezes
 };
 
-/// The search of find_steps(): candidates from the strongest to the weakest, each fitted and judged.
+/// The search of find_steps(): takes candidates from the strongest to the weakest, fits each and judges it.
 template <std::floating_point Scalar>
 class StepSearch {
  public:
@@ -56,14 +56,15 @@ class StepSearch {
   [[nodiscard]] std::vector<Step> steps() && { return std::move(steps_); }
 
  private:
-  /// A change must be so many times the scatter right beside it, which a knock increases, and its standard error.
+  /// A step must be at least this many times the scatter beside it, which a knock increases, and this many times its
+  /// standard error.
   static constexpr double least_scatter = 7, least_errors = 5;
-  /// Few blocks do not know their noise well: this much more is not counted.
+  /// A few blocks measure their noise poorly: an excess of up to this factor does not count.
   static constexpr double noisier = 1.25;
-  /// A level is made by no fewer samples than these.
+  /// A level needs at least this many samples.
   static constexpr double fewest = 6;
 
-  /// Of samples begin … end − 1 less that of the signal, in units of signal.unit().
+  /// The mean of samples begin … end − 1 less that of the signal, in units of signal.unit().
   [[nodiscard]] double mean(std::int64_t begin, std::int64_t end) const {
     const auto& sums = signal_.sums();
     const Scalar sum = sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)];
@@ -74,7 +75,7 @@ class StepSearch {
     const SampleSpan window{(candidate.place - candidate.before) * step_block,
                             (candidate.place + candidate.after) * step_block};
     const auto overlaps = [&](const SampleSpan& span) { return span.begin < window.end && window.begin < span.end; };
-    // A rejected candidate stands for its neighbours of similar width.
+    // A rejected candidate also rejects its neighbours of similar width.
     const auto stands_for = [&](const StepCandidate& other) {
       return 2 * std::abs(other.place - candidate.place) < other.width && candidate.width <= 2 * other.width &&
              other.width <= 2 * candidate.width;
@@ -98,7 +99,7 @@ class StepSearch {
     steps_.push_back({last, fit->height * unit, fit->standard_error * unit, candidate.ratio, fit->duration});
   }
 
-  /// From each block to the next one.
+  /// The usual change from a block to the next one.
   [[nodiscard]] double usual_change(const SampleSpan& blocks) {
     const std::int64_t stride = std::max<std::int64_t>(1, blocks.size() / 8192);
     changes_.clear();
@@ -109,24 +110,24 @@ class StepSearch {
     return (std::max)(usual_size(changes_), step_rounding);
   }
 
-  /// Whether the noise in the candidate's window is as much stronger than usual as the candidate is above the
+  /// Whether the noise in the candidate's window exceeds the usual noise by as much as the candidate exceeds the
   /// threshold.
   [[nodiscard]] bool is_noisier(const StepCandidate& candidate) {
     const double here = usual_change({candidate.place - candidate.before, candidate.place + candidate.after});
     return here > noisier * candidate.excess * usual_change_;
   }
 
-  /// A bend of a drift is no step: without the drift it looks like one, but nothing changed in that direction. A few
-  /// samples of a coarse resolution that happen to lie close together are none, either.
+  /// Rejects a bend of a drift: it looks like a step once the drift is removed, but the mean did not change in that
+  /// direction. Also rejects a few samples of a coarse resolution that happen to lie close together.
   [[nodiscard]] bool is_step(const StepFit& fit) const {
     const double least =
         (std::max)({least_, step_rounding, least_scatter * fit.scatter, least_errors * fit.standard_error});
     const auto [low, high] = std::minmax_element(samples_.begin(), samples_.end());
-    const double worth = std::abs(fit.height) * fit.samples / (*high - *low);  // in samples that go all the way
+    const double worth = std::abs(fit.height) * fit.samples / (*high - *low);  // in samples that span the whole range
     return std::abs(fit.height) >= least && 2 * fit.difference / fit.height >= 1 && worth >= fewest;
   }
 
-  /// Nothing where a quarter of the window are knocks.
+  /// Returns nothing if at least a quarter of the window are knocks.
   std::optional<StepFit> fit_within(const SampleSpan& window, const StepCandidate& candidate) {
     samples_.clear();
     std::int64_t knocked = 0;
@@ -155,23 +156,24 @@ class StepSearch {
 ///
 /// The means of neighbouring windows are compared at every place, for widths from 32 samples to 1/32 of the signal.
 /// What is usual for a width is measured on this signal, so that random walks, flicker noise, Gauss–Markov noise,
-/// vibration, rounding and filters raise the threshold where they have to. Windows further out take drifts off: a ramp
-/// is no step. A step must also stand out of the scatter beside it.
+/// vibration, rounding and filters raise the threshold as needed. Windows further out remove drifts: a ramp is no step.
+/// A step must also stand out of the scatter beside it.
 ///
-/// Found in white noise of standard deviation σ, 1 h at 100 Hz (100 logs each): steps from 0.3 σ on in all logs. Of 0.5
-/// σ the time is right to 11 samples (mean error) and the height to 3 % (rms), of 5 σ to the sample and 0.3 %. A tilt
-/// that takes 3 or 10 s is one step, its duration right to 2 samples. In shorter logs: 0.5 σ in 84 % of 10 minutes, in
-/// all of 20; 1 σ in 97 % of 200 s. Near an end: 0.5 σ in 50 to 63 % of logs at 400 samples from it, 87 to 94 % at 600,
-/// all at 1000; 1 σ in 94 % at 150; 5 σ in 93 % at 20, all at 33. The height's standard error is right in white noise;
-/// a random walk or flicker noise beside it adds up to 60 %.
+/// Found in white noise of standard deviation σ, 1 h at 100 Hz (100 logs each): steps of 0.3 σ and more in all logs. At
+/// 0.5 σ the time is right to 11 samples (mean error) and the height to 3 % (rms), at 5 σ to the sample and to 0.3 %. A
+/// tilt that takes 3 or 10 s is one step, with its duration right to 2 samples. In shorter logs: 0.5 σ in 84 % of logs
+/// of 10 minutes and in all of 20; 1 σ in 97 % of 200 s. Near an end: 0.5 σ in 50 to 63 % of logs at 400 samples from
+/// it, 87 to 94 % at 600, all at 1000; 1 σ in 94 % at 150; 5 σ in 93 % at 20, all at 33. The standard error of the
+/// height is right in white noise; a random walk or flicker noise besides adds up to 60 %.
 ///
-/// False alarms: none in 200 logs each (1 h at 100 Hz), nor in 40 (2 h at 200 Hz), of white noise alone and with random
-/// walks, flicker noise, Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up as exp(−t/600 s) from 0.1 to 100 σ,
-/// lines from 0.05 to 40 Hz of up to 3 σ, resonances, rounding to 0.3 to 4 σ, of angle quantization, low-passed noise,
-/// and values held for several samples. With a resolution of 6 σ one in 100 logs of 2 h. A transient of a minute or
-/// less is taken for a step in one log of ten.
+/// False alarms: none in 200 logs each (1 h at 100 Hz), nor in 40 (2 h at 200 Hz), of:
+///   white noise alone and with random walks, flicker noise, Gauss–Markov noise of 10, 100 and 600 s, ramps, warming up
+///   as exp(−t/600 s) from 0.1 to 100 σ, lines from 0.05 to 40 Hz of up to 3 σ, resonances, rounding to 0.3 to 4 σ;
+///   angle quantization; low-passed noise; values held for several samples.
+/// With a resolution of 6 σ: one in 100 logs of 2 h. A transient of a minute or less looks like a step in one log of
+/// ten.
 ///
-/// Not found: steps in fewer than 1024 samples; a level that is left again within longest_knock samples, which
+/// Not found: steps in logs of fewer than 1024 samples; a level that is left again within longest_knock samples, which
 /// measure_stillness() finds, or within about 250 (σ/height)² samples; a change that takes longer than 1/16 of the
 /// signal.
 ///
@@ -185,8 +187,8 @@ template <std::floating_point Scalar>
   return StepSearch<Scalar>(signal, options).steps();
 }
 
-/// Likewise. Throws also what IntegratedSignal throws: std::invalid_argument for a constant signal, one with fewer than
-/// three samples, or with one that is not finite.
+/// The same for a signal of samples. Also throws what IntegratedSignal throws: std::invalid_argument for a constant
+/// signal, one with fewer than three samples, or with one that is not finite.
 template <Signal S>
 [[nodiscard]] std::vector<Step> find_steps(const S& signal, const StepOptions& options = {}) {
   return find_steps(IntegratedSignal(signal, ScalarOfSignal<S>(1)), options);

@@ -13,19 +13,19 @@
 
 namespace splinertia::allan {
 
-/// Whether a sensor was left alone, as far as its own log can tell.
+/// Whether a sensor was left undisturbed, judged from its own log.
 struct Stillness {
-  std::int64_t blocks;     ///< that were compared
-  std::int64_t disturbed;  ///< in which the samples spread, or stick out, more than noise explains
-  std::int64_t worst;      ///< first sample of the block that is most above its limit
-  double worst_ratio;      ///< its standard deviation, or largest deviation, over that of most blocks
+  std::int64_t blocks;     ///< number of blocks compared
+  std::int64_t disturbed;  ///< blocks whose spread or largest deviation noise does not explain
+  std::int64_t worst;      ///< first sample of the block furthest above its limit
+  double worst_ratio;      ///< its standard deviation or largest deviation over the median of the blocks
 };
 
 }  // namespace splinertia::allan
 
 namespace splinertia::detail {
 
-/// What half a block is like: of the samples less `origin`, so that a large mean takes no digits from the squares.
+/// Sums over half a block, of the samples less `origin`, so that a large mean costs no digits of the squares.
 struct HalfBlock {
   double origin = 0, sum = 0, squares = 0, least = 0, greatest = 0;
 
@@ -39,9 +39,9 @@ struct HalfBlock {
   }
 };
 
-/// What is usual for blocks, and what is too much. Half the blocks say how the others may be: in the logarithm, a
-/// quartile is 0.67 standard deviations from the median, and the limit is eight above it, twelve times as far. It is at
-/// least `least` times the usual, because few blocks know little, and at most eight times.
+/// The usual size of a quantity in blocks, and the limit above which a block is disturbed. Half the blocks set both: in
+/// the logarithm, a quartile is 0.67 standard deviations from the median, and the limit is eight above it, twelve times
+/// as far. The limit is at least `least` times the usual size, because few blocks say little, and at most eight times.
 struct BlockLimit {
   BlockLimit(std::vector<double> values, double least) {
     const auto quartile = [&](std::size_t quarters) {
@@ -61,15 +61,17 @@ struct BlockLimit {
 
 namespace splinertia::allan {
 
-/// Cuts a signal into blocks of `length` samples (about a second, at least 20), each half over the next one, and
-/// compares what is in a block with the others: the standard deviation, and the largest deviation from the block's
-/// mean. Limits follow from how much the blocks differ usually; a quarter of the blocks may be disturbed.
+/// Cuts a signal into blocks of `length` samples (about a second, at least 20) that overlap by half, and compares each
+/// with the others: the standard deviation, and the largest deviation from the block's mean. The limits follow from how
+/// much the blocks usually differ. A quarter of the blocks may be disturbed.
 ///
-/// Found in white noise of standard deviation σ, wherever it begins (blocks of 100 samples, 1200 s at 100 Hz, 40 logs
-/// each): one sample that is off by 12 σ or more (10 σ: 85 %, 8 σ: 20 %); 0.1 s of 8 σ (5 σ: 45 %); half a second of 4
-/// σ (3 σ: 50 to 70 %); a step of 5 σ; noise that is twice as strong for a second. With blocks of 1000 samples
-/// likewise: one sample of 12 σ. Not found: weaker ones than these, motion that lasts all the time, drift slower than a
-/// block. What is usual is unknown, and nothing found, if most blocks are constant.
+/// Found at any position in white noise of deviation σ (blocks of 100 samples, 1200 s at 100 Hz, 40 logs each):
+///   one sample off by 12 σ or more (10 σ: 85 %, 8 σ: 20 %), with blocks of 1000 samples likewise by 12 σ;
+///   0.1 s off by 8 σ (5 σ: 45 %); half a second off by 4 σ (3 σ: 50 to 70 %);
+///   a step of 5 σ; noise that is twice as strong for a second.
+///
+/// Not found: weaker disturbances than these, motion that lasts all the time, and drift slower than a block. Nothing is
+/// found if most blocks are constant, because what is usual is then unknown.
 ///
 /// False alarms: none in 40 logs each (1 h at 100 Hz) of white noise, random walks, flicker noise, Gauss–Markov noise,
 /// lines, resonances, rounding to 0.3 to 6 σ, angle quantization, a low-pass, sample-and-hold; nor in a random walk

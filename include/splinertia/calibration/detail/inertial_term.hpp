@@ -22,32 +22,33 @@
 
 namespace splinertia {
 
-/// What is known about an IMU, and what of its calibration is to be estimated.
+/// What is known about an IMU, and which parts of its calibration are estimated.
 template <typename Scalar>
 struct InertialOptions {
-  /// Of a sample about the curve, rad/s and m/s²: of white noise N at a rate, N √rate. What the curve cannot follow
-  /// (vibration between its knots) counts as noise, too.
+  /// Standard deviation of a sample about the curve, rad/s and m/s²; N √rate for white noise of density N. Include what
+  /// the curve cannot follow (vibration between its knots).
   Scalar gyro_standard_deviation = Scalar(0);   ///< has to be given
   Scalar accel_standard_deviation = Scalar(0);  ///< has to be given
-  /// Where to start, and what is not estimated keeps.
+  /// The initial values; what is not estimated keeps them.
   ImuCalibration<Scalar> calibration{};
   bool estimate_gyro_bias = true;
   bool estimate_accel_bias = true;
-  bool estimate_gravity_direction = true;  ///< its amount is kept
-  /// p_BI; R_BI is kept. This and the time offset need a motion that shows them: of a body at rest, the noise that the
-  /// curve follows is taken for one.
+  bool estimate_gravity_direction = true;  ///< its magnitude is kept
+  /// p_BI; R_BI is kept. Lever arm and time offset are observable only if the body moves. At rest, they are fitted to
+  /// the noise that the curve follows.
   bool estimate_lever_arm = false;
   bool estimate_time_offset = false;
-  /// s: samples as close to the ends of the curve are left out while the time offset is estimated, which stays within.
+  /// s: bound on the magnitude of an estimated time offset. While it is estimated, samples this close to the ends of
+  /// the curve or to its gaps are left out.
   double largest_time_offset = 0.1;
 };
 
-/// Where each of the unknowns of a calibration is in their vector.
+/// The first row of each part in the vector of the unknowns of a calibration.
 struct CalibrationRows {
   static constexpr int gyro_bias = 0, accel_bias = 3, gravity = 6, lever_arm = 8, time_offset = 11, count = 12;
 };
 
-/// Two axes at right angles to gravity: it turns by ξ rad towards them.
+/// Two axes B orthogonal to gravity and of its length, m/s²: to first order, g + B ξ is g turned by ξ rad.
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> gravity_tangent(const Vector3<Scalar>& gravity) {
   Eigen::Matrix<Scalar, 3, 2> basis;
@@ -58,8 +59,8 @@ template <typename Scalar>
   return basis * gravity.norm();
 }
 
-/// The distances of an IMU's samples from what it would read along a curve, as squares to minimise over the control
-/// points and the calibration, or over the calibration alone.
+/// The least-squares term of an IMU's samples: squared differences from calibrated_imu() along a curve, to be minimised
+/// over the control points and the calibration, or over the calibration alone.
 template <typename Curve>
 class InertialTerm {
  public:
@@ -67,11 +68,11 @@ class InertialTerm {
   using Scalar = typename Curve::Scalar;
   using Time = typename Curve::Time;
   using Rows = CalibrationRows;
-  /// Stands on the diagonal for the information about an unknown of which there is none.
+  /// The diagonal element of an unknown about which there is no information.
   static constexpr Scalar nothing = (std::numeric_limits<Scalar>::min)();
 
-  /// Samples outside the curve and inside `gaps` of it are left out. Throws std::invalid_argument for a sample that is
-  /// not finite or not later than the one before it, for bad options, and if no sample is left.
+  /// Samples outside the curve or inside its `gaps` are left out. Throws std::invalid_argument for a sample that is not
+  /// finite or not later than the one before it, for bad options, and if no sample is left.
   template <std::ranges::forward_range Samples>
     requires ImuSample<std::ranges::range_value_t<Samples>, Scalar,
                        std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>
@@ -120,7 +121,7 @@ class InertialTerm {
     }
   }
 
-  /// The times on the curve at which it has samples, ascending.
+  /// The times of the samples by the curve's clock, ascending.
   [[nodiscard]] std::vector<Time> times() const {
     std::vector<Time> result;
     for (const auto& sample : samples_) result.push_back(after(sample.time, options_.calibration.time_offset));
@@ -129,7 +130,7 @@ class InertialTerm {
 
   [[nodiscard]] std::size_t size() const { return samples_.size(); }
 
-  /// Adds to the normal equations of the control points and, as the border, of the calibration.
+  /// Adds the samples to the normal equations, whose border are the unknowns of the calibration. Returns the cost.
   template <typename System>
   Scalar add(const Curve& curve, const ImuCalibration<Scalar>& calibration, System& system) const {
     Scalar cost(0);
@@ -178,14 +179,14 @@ class InertialTerm {
       border = weight.asDiagonal() * border;
       system.add(at.first, r, J, border);
     }
-    // An unknown that is kept, or that nothing shows, meets nothing and stays where it is.
+    // An unknown that is not estimated, or that no sample shows, is decoupled from the others and keeps its value.
     for (int i = 0; i < Rows::count; ++i) {
       if (system.corner(i, i) == Scalar(0)) system.corner(i, i) = nothing;
     }
     return cost;
   }
 
-  /// The calibration, moved by a step of its unknowns.
+  /// calibration ⊞ step. The time offset is clamped to ±largest_time_offset.
   [[nodiscard]] ImuCalibration<Scalar> moved(ImuCalibration<Scalar> calibration,
                                              const Eigen::Matrix<Scalar, Rows::count, 1>& step) const {
     calibration.gyro_bias += step.template segment<3>(Rows::gyro_bias);
@@ -204,7 +205,7 @@ class InertialTerm {
     return calibration;
   }
 
-  /// Which of the unknowns are estimated.
+  /// Whether each of the unknowns is estimated.
   [[nodiscard]] Eigen::Array<bool, Rows::count, 1> estimated() const {
     Eigen::Array<bool, Rows::count, 1> result;
     result.template segment<3>(Rows::gyro_bias).setConstant(options_.estimate_gyro_bias);
@@ -215,7 +216,7 @@ class InertialTerm {
     return result;
   }
 
-  /// The RMS of gyro and accel residuals, each of its three axes together.
+  /// The RMS of the gyro and of the accel residuals, each over its three axes together.
   [[nodiscard]] std::array<Scalar, 2> rms(const Curve& curve, const ImuCalibration<Scalar>& calibration) const {
     using std::sqrt;
     Scalar gyro(0), accel(0);

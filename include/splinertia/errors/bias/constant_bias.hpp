@@ -7,7 +7,7 @@
 
 namespace splinertia {
 
-/// A bias that is the same in every sample of every run. In the sensor's unit. See turn_on_bias.hpp for one that is
+/// A bias that is the same in every sample of every run, in the sensor's unit. See turn_on_bias.hpp for one that is
 /// drawn anew for every run.
 template <typename Scalar = double>
 struct ConstantBias {

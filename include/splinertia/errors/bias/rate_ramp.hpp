@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// A bias that grows in proportion to time, from zero at the first sample. R in the sensor's unit per s: rad/s² for a
-/// gyroscope, m/s³ for an accelerometer. Allan deviation R·τ/√2. IEEE Std 952-1997, C.1.4.
+/// A bias that grows linearly with time, from zero at the first sample: bias = R·t. R in the sensor's unit per s:
+/// rad/s² for a gyroscope, m/s³ for an accelerometer. Allan deviation R·τ/√2. IEEE Std 952-1997, C.1.4.
 template <typename Scalar = double>
 struct RateRamp {
   static constexpr std::string_view name = "rate ramp";

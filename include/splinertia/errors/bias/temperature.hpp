@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the temperature of a sensor is: any callable that takes the time since the first sample in s and returns °C.
+/// The temperature of a sensor: any callable that takes the time since the first sample in s and returns °C.
 #pragma once
 
 #include <concepts>
@@ -13,8 +13,8 @@ concept TemperatureProfile = requires(const F& profile, const Scalar& elapsed) {
   { profile(elapsed) } -> std::convertible_to<Scalar>;
 };
 
-/// The temperature of a sensor that warms up (or cools down) by itself: from `initial` it tends to `final` as
-/// exp(−t/time_constant). °C and s.
+/// The temperature of a sensor that warms up (or cools down) by itself, °C, with t in s:
+/// T(t) = final + (initial − final)·exp(−t/time_constant).
 template <typename Scalar = double>
 struct WarmUp {
   Scalar initial, final, time_constant;
@@ -44,7 +44,7 @@ WarmUp(const P&, const P&, const P&) -> WarmUp<ScalarOfParameter<P>>;
 template <typename P, typename Q, typename R>
 WarmUp(const P&, const Q&, const R&) -> WarmUp<ScalarOfParameter<P>>;
 
-/// A temperature profile's part of describe(): its parameters if it has any to tell.
+/// Calls describe() of a temperature profile, if it has one.
 template <typename Profile>
 void describe_profile(const Profile& profile, auto&& parameter) {
   if constexpr (requires { profile.describe(parameter); }) profile.describe(parameter);

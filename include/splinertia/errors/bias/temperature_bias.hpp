@@ -8,8 +8,8 @@
 
 namespace splinertia {
 
-/// A bias in proportion to how far the sensor is from its reference temperature: coefficient·(T(t) − reference).
-/// Coefficient in the sensor's unit per K, temperatures in °C; for T(t) see temperature.hpp.
+/// A bias proportional to the deviation from a reference temperature: coefficient·(T(t) − reference). Coefficient in
+/// the sensor's unit per K, temperatures in °C. For T(t) see temperature.hpp.
 template <typename Scalar, TemperatureProfile<Scalar> Profile>
 struct TemperatureBias {
   static constexpr std::string_view name = "temperature bias";
@@ -19,7 +19,7 @@ struct TemperatureBias {
   Profile temperature;
   Scalar reference;
 
-  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
+  /// Throws std::invalid_argument unless coefficient, reference and their third powers are finite.
   constexpr TemperatureBias(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
                             const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {

@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// A bias that is drawn once for each run, normal with the given standard deviation, and stays: a data sheet's turn-on
-/// bias, or bias repeatability. In the sensor's unit.
+/// A bias that is drawn once for each run and then stays constant: normal, with the given standard deviation, in the
+/// sensor's unit. Data sheets call it turn-on bias or bias repeatability.
 template <typename Scalar = double>
 struct TurnOnBias {
   static constexpr std::string_view name = "turn-on bias";

@@ -7,7 +7,7 @@
 
 namespace splinertia {
 
-/// A sensor clock that runs fast: in 1 s it gains `rate` s (2e-5 is 20 ppm) on the true time, starting right at the
+/// A sensor clock that runs fast: it gains `rate` seconds per second of true time (2e-5 is 20 ppm). It is right at the
 /// first sample.
 template <typename Scalar = double>
 struct ClockDrift {
@@ -16,7 +16,8 @@ struct ClockDrift {
 
   Scalar rate;
 
-  /// Throws std::invalid_argument unless the rate is finite and > −1 (a clock that stands still or runs backwards).
+  /// Throws std::invalid_argument unless the rate is finite and > −1. At −1 the clock would stand still; below −1, run
+  /// backwards.
   constexpr ClockDrift(const Scalar& rate_) : rate(rate_) {
     require(is_finite(rate) && rate > Scalar(-1), "ClockDrift", "rate", rate, "a finite number > -1");
   }

@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// A constant latency: every stamp is `offset` s later than the sample was taken (earlier if negative). Kalibr's and
-/// the estimators' time offset t_d.
+/// A constant latency: every stamp is `offset` s later than the time of its sample (earlier if negative). It is the
+/// time offset t_d of Kalibr and of estimators.
 template <typename Scalar = double>
 struct ClockOffset {
   static constexpr std::string_view name = "clock offset";

@@ -8,8 +8,8 @@
 
 namespace splinertia {
 
-/// Samples that are lost on their way, each with the given probability, whatever became of the others. The sensor took
-/// them: those that arrive are the same as if none had been lost.
+/// Samples that are lost in transmission, each independently with the given probability. The sensor still takes them:
+/// those that arrive are the same as if none had been lost.
 template <typename Scalar = double>
 struct DroppedSamples {
   static constexpr std::string_view name = "dropped samples";

@@ -9,19 +9,19 @@
 
 namespace splinertia {
 
-/// Jitter of the stamps: each is off by a normal number of mean zero with the given standard deviation σ in s, at any
-/// time of a run. The samples themselves are taken on time. The order of the stamps is kept: two neighbours are never
-/// closer than a hundredth of the interval h between their samples.
+/// Jitter of the stamps: each has a normal error of mean zero and the given standard deviation σ, in s, at any time of
+/// a run. The samples themselves are taken on time. The order of the stamps is kept: the stamps of neighbouring
+/// samples, taken an interval h apart, are never closer than h/100.
 ///
-/// Offsets up to σ = h/4 are independent. Independent ones beyond would change the order, so these follow each other as
-/// a first-order Gauss–Markov process with the correlation ρ = 1 − (h/4σ)² from sample to sample, whose steps have the
-/// standard deviation h/√8 at any σ: the correlation lasts for about (4σ/h)² samples, 64 for σ = 2h. The mean over n
-/// samples of a run is off by σ√((1 + ρ)/((1 − ρ)n)), which is zero on average.
+/// Up to σ = h/4 the offsets are independent. Beyond that, independent offsets would change the order. They then follow
+/// a first-order Gauss–Markov process with the correlation ρ = 1 − (h/4σ)² from sample to sample. Its steps have the
+/// standard deviation h/√8 at any σ. The correlation lasts for about (4σ/h)² samples, 64 for σ = 2h. The mean offset of
+/// the n samples of a run is zero on average, with standard deviation σ√((1 + ρ)/((1 − ρ)n)).
 ///
-/// A step of more than 0.99 h is not made: the offset stays what it was (0.5 % of the steps at σ >= h/4, 0.05 % at h/5,
-/// 3e-6 at 3h/20). Proposals that leave the normal law as it is and are as likely there as back, refused alike in both
-/// directions, leave it as it is: the law of an offset is exactly normal, whatever the intervals. Metropolis et al.,
-/// "Equation of State Calculations by Fast Computing Machines", J. Chem. Phys. 21 (1953).
+/// A step of more than 0.99 h is rejected: the offset keeps its value (0.5 % of the steps at σ >= h/4, 0.05 % at h/5,
+/// 3e-6 at 3h/20). The distribution of an offset remains exactly normal, whatever the intervals: the proposals leave it
+/// unchanged and are reversible, and the rejection is the same in both directions. Metropolis et al., "Equation of
+/// State Calculations by Fast Computing Machines", J. Chem. Phys. 21 (1953).
 template <typename Scalar = double>
 struct StampJitter {
   static constexpr std::string_view name = "stamp jitter";

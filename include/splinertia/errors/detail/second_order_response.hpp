@@ -8,19 +8,20 @@
 
 namespace splinertia {
 
-/// How the damped oscillator y″ + 2ζω y′ + ω² y = ω² x moves by itself (x = 0) in a time h: the matrix that takes
-/// (y, y′/ω) to what they are then, a function of a = ωh >= 0 and the damping ratio ζ > 0 alone:
+/// The free motion (x = 0) of the damped oscillator y″ + 2ζω y′ + ω² y = ω² x over a time h: the matrix that maps
+/// (y, y′/ω) at the beginning to (y, y′/ω) at the end. It depends on a = ωh >= 0 and the damping ratio ζ > 0 alone:
 ///
 ///   e^{−ζa} [ C + ζaS, aS; −aS, C − ζaS ],  C = cos b, S = sin b/b, b = a√(1 − ζ²), or cosh, sinh for ζ > 1.
 ///
-/// Absolute error a few eps for every a and ζ (times 1/ζ, where that is more: the phase b after many turns is rounded).
-/// The growing exponentials of an overdamped oscillator are never formed. The third power of ζ is finite.
+/// The absolute error is a few eps for every a and ζ; for ζ < 1 it is 1/ζ times as much, because the phase b after many
+/// turns is rounded. The growing exponentials of an overdamped oscillator are never formed. Requires that the third
+/// power of ζ is finite.
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, 2, 2> oscillator_transition(const Scalar& a, const Scalar& damping_ratio) {
   using std::sqrt;
-  // All has decayed: a/2ζ is large, too.
+  // Everything has decayed: a/2ζ is large, too.
   if (!is_finite(a) || !is_finite(damping_ratio * a)) return Eigen::Matrix<Scalar, 2, 2>::Zero();
-  Scalar C, S;  // with e^{−ζa} in them
+  Scalar C, S;  // both include the factor e^{−ζa}
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));
     const Oscillation<Scalar> oscillation(b / (Scalar(2) * pi_of<Scalar>()));
@@ -43,13 +44,13 @@ template <typename Scalar>
   return transition;
 }
 
-/// Where a unit step of x takes that oscillator from rest: y after the time h, which is 1 − transition(0, 0), but goes
-/// to zero with a as it should: the error is a few eps times a/ζ where that is less than one.
+/// The unit step response of that oscillator from rest: y after the time h. It equals 1 − transition(0, 0), computed so
+/// that it goes to zero with a: the error is a few eps times a/ζ where that is less than one.
 template <typename Scalar>
 [[nodiscard]] Scalar oscillator_step_response(const Scalar& a, const Scalar& damping_ratio) {
   using std::sqrt;
   if (damping_ratio > Scalar(5) / Scalar(4)) {
-    // Two first-order lags, one behind the other, with these time constants (times ω).
+    // Two first-order lags in series, with these time constants (times ω).
     const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
     const Scalar slow = damping_ratio + root, fast = Scalar(1) / slow;
     return (slow * exponential_rise<Scalar>(a / slow) - fast * exponential_rise<Scalar>(a * slow)) / (Scalar(2) * root);

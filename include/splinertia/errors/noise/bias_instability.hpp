@@ -13,7 +13,7 @@
 
 namespace splinertia {
 
-/// The averaging times between which BiasInstability's Allan deviation is flat, s.
+/// The range of averaging times over which the Allan deviation of BiasInstability is flat, s.
 template <typename Scalar = double>
 struct FlickerBand {
   Scalar shortest = Scalar(1);
@@ -23,20 +23,22 @@ struct FlickerBand {
 template <typename P, typename Q>
 FlickerBand(P, Q) -> FlickerBand<ScalarOfParameter<P>>;
 
-/// Flicker noise (bias instability) of coefficient B, power spectral density B²/(2πf), whose Allan deviation is the
-/// same, B·√(2 ln 2/π) = 0.664 B, at all averaging times. In the sensor's unit. IEEE Std 952-1997, C.1.2.
+/// Flicker noise (bias instability) of coefficient B, in the sensor's unit: power spectral density B²/(2πf), Allan
+/// deviation B·√(2 ln 2/π) = 0.664 B at all averaging times. IEEE Std 952-1997, C.1.2.
 ///
-/// Nothing finite does that at all times. This is a sum of Stages independent Gauss–Markov processes whose correlation
-/// times are in geometric progression with ratio r, from a fifth of the shortest averaging time of the band to twice
-/// the longest. Each has the variance B² ln r/π, with which densities add up to B²/(2πf); the first and the last stand
-/// for all that are missing beyond them and have r/(r − 1) times as much. The Allan deviation stays within 2 % of flat
-/// from end to end of the band, within 0.4 % well inside, with ratios up to 7: Stages = 7 for the default band (r
-/// = 5.8); with a ratio of 10 it ripples by 1 %, of 18 by 3 %. A sum of few processes costs as much less; each draws a
-/// number for each axis. The spectrum is that of the band only, within 1.5 % from 1/longest to 1/(4·shortest) for the
-/// default; below, it becomes flat, above, it falls as 1/f². The process is discretised exactly, starts in its
-/// stationary law and does not depend on the rate; the sampling interval should not be longer than the shortest
-/// averaging time. Sums of relaxations for 1/f noise: van der Ziel, Physica 16 (1950); the Gauss–Markov step is that of
-/// gauss_markov.hpp.
+/// No finite model does that at all times. This one is a sum of Stages independent Gauss–Markov processes. Their
+/// correlation times form a geometric progression with ratio r, from a fifth of the shortest averaging time of the band
+/// to twice the longest. Each has the variance B² ln r/π, so that the densities add up to B²/(2πf). The first and the
+/// last replace all those missing beyond them and have r/(r − 1) times this variance.
+///
+/// Accuracy: for ratios up to 7 the Allan deviation stays within 2 % of flat over the whole band, within 0.4 % well
+/// inside. Stages = 7 gives r = 5.8 for the default band. With r = 10 it ripples by 1 %, with r = 18 by 3 %. The cost
+/// is proportional to Stages: each process draws a number for each axis. The spectrum is right within the band only: to
+/// 1.5 % from 1/longest to 1/(4·shortest) for the default. Below, it becomes flat; above, it falls as 1/f².
+///
+/// The discretisation is exact and the process starts in its stationary distribution, so that it does not depend on the
+/// sampling rate. The sampling interval should not be longer than the shortest averaging time. Sums of relaxations for
+/// 1/f noise: van der Ziel, Physica 16 (1950). The Gauss–Markov step is that of gauss_markov.hpp.
 template <typename Scalar = double, std::size_t Stages = 7>
 struct BiasInstability {
   static_assert(Stages >= 2);
@@ -71,12 +73,12 @@ struct BiasInstability {
     require_positive("BiasInstability", "shortest averaging time", band.shortest);
     require(is_finite(band.longest) && band.longest > band.shortest, "BiasInstability", "longest averaging time",
             band.longest, "a finite number above the shortest");
-    // The longest correlation time, and over the shortest.
+    // The longest correlation time, and its ratio to the shortest.
     require(is_finite(Scalar(2) * band.longest) && is_finite(Scalar(10) * band.longest / band.shortest),
             "BiasInstability", "longest averaging time", band.longest, "one whose ratio to the shortest is finite");
   }
 
-  /// The processes of the sum, the slowest first, and their steps for one sampling interval.
+  /// The processes of the sum, the slowest first, with their steps for one sampling interval.
   [[nodiscard]] std::array<Stage, Stages> stages(const Scalar& interval) const {
     using std::sqrt;
     const Scalar log_ratio =

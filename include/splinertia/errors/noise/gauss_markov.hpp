@@ -14,7 +14,7 @@ namespace splinertia {
 
 /// One exact step of a stationary first-order Gauss–Markov (Ornstein–Uhlenbeck) process of unit variance:
 /// x ← x − forget·x + deviation·n, n standard normal. Gelb, Applied Optimal Estimation (1974), 3.6.
-/// With exp(−h/τ)·x instead, x would no longer return to zero where the exponential is rounded to one.
+/// In the form exp(−h/τ)·x + …, x would no longer return to zero where the exponential is rounded to one.
 template <typename Scalar>
 struct GaussMarkovStep {
   Scalar forget = Scalar(1);     ///< 1 − exp(−h/τ)
@@ -29,9 +29,9 @@ struct GaussMarkovStep {
   }
 };
 
-/// A bias that wanders about zero: a first-order Gauss–Markov process with the given stationary standard deviation (in
-/// the sensor's unit) and correlation time (s), autocovariance σ² exp(−|t|/τ), discretised exactly, so that its
-/// statistics do not depend on the rate. It starts in its stationary law, or at a given value.
+/// A bias that wanders about zero: a first-order Gauss–Markov process with the given stationary standard deviation σ
+/// (in the sensor's unit) and correlation time τ (s). Autocovariance σ² exp(−|t|/τ). The discretisation is exact, so
+/// that the statistics do not depend on the sampling rate. It starts in its stationary distribution, or at `initial`.
 template <typename Scalar = double>
 struct GaussMarkov {
   static constexpr std::string_view name = "Gauss-Markov";
@@ -84,7 +84,7 @@ struct GaussMarkov {
  private:
   [[nodiscard, gnu::noinline, gnu::cold]] Step make_step(Scalar interval) const {
     if (interval == Scalar(0))
-      return {Vector3<Scalar>::Zero(), standard_deviation.vector()};  // to the stationary law, from zero
+      return {Vector3<Scalar>::Zero(), standard_deviation.vector()};  // from zero to the stationary distribution
     Step result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<int>(axis);

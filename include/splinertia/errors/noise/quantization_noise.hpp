@@ -7,10 +7,11 @@
 
 namespace splinertia {
 
-/// Quantization noise of coefficient Q: the integral of the reading (angle, velocity) has an error q_i = Q·n_i, n
-/// standard normal and independent, at the end of every interval, so that sample i is off by (q_i − q_{i−1})/interval.
-/// Allan deviation √3·Q/τ. Q in the sensor's unit times s: rad for a gyroscope, m/s for an accelerometer; a sensor that
-/// counts increments of size Δ has Q = Δ/√12. IEEE Std 952-1997, C.1.5. See quantization.hpp for rounding of the
+/// Quantization noise of coefficient Q. At the end of every interval the integral of the reading (angle, velocity) has
+/// the error q_i = Q·n_i, n_i standard normal and independent. The error of sample i is therefore
+/// (q_i − q_{i−1})/interval.
+/// Allan deviation √3·Q/τ. IEEE Std 952-1997, C.1.5. Q in the sensor's unit times s: rad for a gyroscope, m/s for an
+/// accelerometer. A sensor that counts increments of size Δ has Q = Δ/√12. See quantization.hpp for rounding of the
 /// reading itself.
 template <typename Scalar = double>
 struct QuantizationNoise {

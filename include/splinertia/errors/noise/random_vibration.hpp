@@ -14,20 +14,20 @@
 
 namespace splinertia {
 
-/// Vibration of a structure shaken at random: a damped oscillator driven by white noise, with the given standard
-/// deviation (in the sensor's unit), natural frequency (Hz) and damping ratio ζ (narrow-band for ζ ≪ 1, broad for ζ
-/// near 1). Autocovariance σ² e^{−ζω|t|}(cos b + ζω|t| sin b/b), b = ω|t|√(1 − ζ²). Discretised exactly, so that it
-/// does not depend on the rate; it starts in its stationary law. It is no part of the bias. Crandall, Mark, Random
-/// Vibration in Mechanical Systems (1963), 2.3.
+/// Vibration of a structure under random excitation: a damped oscillator driven by white noise, with the given standard
+/// deviation σ (in the sensor's unit), natural frequency (Hz) and damping ratio ζ (narrow-band for ζ ≪ 1, broad for ζ
+/// near 1). Autocovariance σ² e^{−ζω|t|}(cos b + ζω|t| sin b/b), b = ω|t|√(1 − ζ²). The discretisation is exact, so
+/// that it does not depend on the sampling rate. It starts in its stationary distribution and does not count as bias.
+/// Crandall, Mark, Random Vibration in Mechanical Systems (1963), 2.3.
 template <typename Scalar = double>
 struct RandomVibration {
   static constexpr std::string_view name = "random vibration";
 
-  /// What the state is kept in: rounding to float would shift the variance of a vibration that lasts for a million
+  /// The scalar of the state. Rounding to float would shift the variance of a vibration that lasts for a million
   /// samples by percents.
   using Wide = std::conditional_t<std::same_as<Scalar, float>, double, Scalar>;
 
-  /// (y, y′/ω) ← transition·(y, y′/ω) + noise·n, in units of the standard deviation, which is the same for both.
+  /// (y, y′/ω) ← transition·(y, y′/ω) + noise·n, in units of the standard deviation, which both components share.
   struct Step {
     Eigen::Matrix<Wide, 2, 2> transition, noise;
   };
@@ -79,9 +79,9 @@ struct RandomVibration {
   }
 
  private:
-  // What keeps the covariance at the identity, Q = I − ΦΦᵀ, as U·Uᵀ with U upper triangular. For small steps a = ωh the
-  // first diagonal element is O(a³) and lost in rounding from a = 1e-5 on; taken as no less than zero, the error is an
-  // additional noise of at most √eps of the standard deviation a step.
+  // The noise that keeps the covariance at the identity: Q = I − ΦΦᵀ = U·Uᵀ with U upper triangular. For small steps
+  // a = ωh the first diagonal element is O(a³); below a = 1e-5 it is lost in rounding. It is limited to >= 0; the error
+  // is an additional noise of at most √eps of the standard deviation per step.
   [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
     using std::sqrt;
     std::array<Step, 3> steps;
@@ -89,7 +89,7 @@ struct RandomVibration {
       const Wide a = Wide(2) * pi_of<Wide>() * Wide(natural_frequency[axis]) * Wide(interval);
       auto& [transition, noise] = steps[axis];
       transition = oscillator_transition<Wide>(a, Wide(damping_ratio[axis]));
-      // Element by element: Eigen's product would round in another way where it has vectors that add and multiply.
+      // Element by element: Eigen's product rounds differently where vector instructions fuse multiply and add.
       const auto covariance = [&t = transition](int i, int j) {
         return Wide(i == j ? 1 : 0) - (t(i, 0) * t(j, 0) + t(i, 1) * t(j, 1));
       };

@@ -8,8 +8,8 @@
 
 namespace splinertia {
 
-/// A bias that walks at random (rate random walk) with density K: it is zero at the first sample and moves by
-/// K·√interval · n, n standard normal, before every other. The bias is in the sample that it is reported with.
+/// A bias that is a random walk (rate random walk) of density K. It is zero at the first sample; before every other
+/// sample it changes by K·√interval · n, n standard normal. The bias reported with a sample is the one contained in it.
 /// K in unit/s/√Hz: rad/s²/√Hz for a gyroscope, m/s³/√Hz for an accelerometer. IEEE Std 952-1997, C.1.3.
 template <typename Scalar = double>
 struct RandomWalk {

@@ -12,9 +12,9 @@
 namespace splinertia {
 
 /// A sensor of limited bandwidth: a first-order low pass, τy′ + y = x with τ = 1/(2π cutoff), −3 dB at the cutoff
-/// frequency in Hz, on everything that stands before it in the model, the bias included. Discretised exactly for an
-/// input that is linear between samples (ramp invariant), so that it follows slow motion with the true delay τ at any
-/// rate; it starts settled. Franklin, Powell, Workman, Digital Control of Dynamic Systems (1998), 6.3.
+/// frequency in Hz. It filters the reading with all terms before it in the model, the bias included. The discretisation
+/// is exact for an input that is linear between samples (ramp invariant): slow motion is delayed by the true τ at any
+/// sampling rate. It starts settled. Franklin, Powell, Workman, Digital Control of Dynamic Systems (1998), 6.3.
 template <typename Scalar = double>
 struct FirstOrderBandwidth {
   static constexpr std::string_view name = "first-order bandwidth";

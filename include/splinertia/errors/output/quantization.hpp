@@ -10,7 +10,7 @@
 namespace splinertia {
 
 /// Rounds the reading to the nearest multiple of the least significant bit (resolution), in the sensor's unit. See
-/// quantization_noise.hpp for IEEE Std 952's Q.
+/// quantization_noise.hpp for the coefficient Q of IEEE Std 952.
 template <typename Scalar = double>
 struct Quantization {
   static constexpr std::string_view name = "quantization";
@@ -30,7 +30,7 @@ struct Quantization {
       Scalar& value = sample.value[static_cast<int>(axis)];
       const Scalar counts = round(value / least_significant_bit[axis]);
       if (is_finite(counts))
-        value = counts * least_significant_bit[axis];  // else the bit is below the value's rounding
+        value = counts * least_significant_bit[axis];  // else the bit is smaller than the rounding of the value
     }
   }
 

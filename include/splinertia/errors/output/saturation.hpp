@@ -38,7 +38,8 @@ struct Saturation {
 template <typename P>
 Saturation(const P&) -> Saturation<ScalarOfParameter<P>>;
 
-/// What ErrorModel asks of terms that stand together: a range of less than one bit would read zero or nothing.
+/// Called by ErrorModel if both terms are in it: throws std::invalid_argument for a range of less than one bit, with
+/// which the sensor would read zero or nothing.
 template <typename Scalar>
 constexpr void check_together(const Saturation<Scalar>& saturation, const Quantization<Scalar>& quantization) {
   for (std::size_t axis = 0; axis < 3; ++axis) {

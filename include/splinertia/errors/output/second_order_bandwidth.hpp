@@ -13,9 +13,9 @@
 namespace splinertia {
 
 /// A sensor that responds as a damped oscillator (a proof mass on a spring, a second-order filter):
-/// y″ + 2ζω y′ + ω² y = ω² x with ω = 2π natural_frequency (Hz), on everything that stands before it in the model, the
-/// bias included. ζ = 1/√2 is Butterworth's, −3 dB at the natural frequency. Discretised exactly for an input that is
-/// linear between samples (ramp invariant); it starts settled.
+/// y″ + 2ζω y′ + ω² y = ω² x with ω = 2π natural_frequency (Hz). It filters the reading with all terms before it in the
+/// model, the bias included. ζ = 1/√2 is a Butterworth filter, −3 dB at the natural frequency. The discretisation is
+/// exact for an input that is linear between samples (ramp invariant). It starts settled.
 template <typename Scalar = double>
 struct SecondOrderBandwidth {
   static constexpr std::string_view name = "second-order bandwidth";
@@ -81,7 +81,7 @@ struct SecondOrderBandwidth {
     return steps;
   }
 
-  // a = ωh. With x = x₀ + s·t, y = x − 2ζs/ω, y′ = s is a solution; what is off it moves by the transition alone.
+  // a = ωh. With x = x₀ + s·t, y = x − 2ζs/ω, y′ = s is a solution; the deviation from it follows the transition alone.
   [[nodiscard]] static Step make_step(const Scalar& a, const Scalar& damping) {
     using Matrix = Eigen::Matrix<Scalar, 2, 2>;
     using Vector = Eigen::Matrix<Scalar, 2, 1>;

@@ -9,9 +9,9 @@
 
 namespace splinertia {
 
-/// Vibration at one frequency: adds amplitude·sin(2π(frequency·t + phase)), t since the first sample in s, to every
-/// sample. Amplitude in the sensor's unit, frequency in Hz, phase in turns. It is no part of the bias. A frequency
-/// above half the sampling rate shows up below it, as it does in a sensor without an anti-aliasing filter.
+/// Vibration at one frequency: adds amplitude·sin(2π(frequency·t + phase)) to every sample, t since the first sample in
+/// s. Amplitude in the sensor's unit, frequency in Hz, phase in turns. It does not count as bias. A frequency above
+/// half the sampling rate is aliased, as in a sensor without an anti-aliasing filter.
 template <typename Scalar = double>
 struct SinusoidalVibration {
   static constexpr std::string_view name = "sinusoidal vibration";

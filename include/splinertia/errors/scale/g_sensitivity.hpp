@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// What the true specific force f adds to the reading of a gyroscope: G·f, with G 3×3 in rad/s per m/s², axes those of
-/// the IMU. Kalibr's A, OpenVINS' T_g.
+/// The sensitivity of a gyroscope to specific force: the true specific force f adds G·f to the reading. G is 3×3, in
+/// rad/s per m/s², in the axes of the IMU. Kalibr's A, OpenVINS' T_g.
 template <typename Scalar = double>
 struct GSensitivity {
   static constexpr std::string_view name = "g-sensitivity";
@@ -16,7 +16,7 @@ struct GSensitivity {
 
   Matrix3<Scalar> sensitivity;
 
-  /// Throws std::invalid_argument unless all is finite.
+  /// Throws std::invalid_argument unless all elements are finite.
   GSensitivity(const Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
     require_finite("GSensitivity", "sensitivity", sensitivity);
   }

@@ -10,9 +10,9 @@
 
 namespace splinertia {
 
-/// Scale factors, axes that are not at right angles, and a rotation of the sensor in its case, all in one 3×3 matrix M:
-/// the reading is M times what it was, and so is the bias in it. The identity is a perfect sensor. See
-/// misalignment_conventions.hpp for what data sheets and calibration programs call its parts.
+/// Scale factors, non-orthogonal axes and a rotation of the sensor in its case, all in one 3×3 matrix M: the reading
+/// and the bias in it are multiplied by M. The identity is a perfect sensor. See misalignment_conventions.hpp for the
+/// names of its parts in data sheets and calibration programs.
 template <typename Scalar = double>
 struct Misalignment {
   static constexpr std::string_view name = "misalignment";
@@ -20,13 +20,13 @@ struct Misalignment {
 
   Matrix3<Scalar> matrix;
 
-  /// Throws std::invalid_argument unless the matrix is finite and can be inverted: the determinant of its rows, each
-  /// over its length, is above what rounding leaves of a singular one, 8 eps.
+  /// Throws std::invalid_argument unless the matrix is finite and invertible: with its rows scaled to unit length, the
+  /// magnitude of the determinant must exceed 8 eps, which is what rounding leaves of a singular matrix.
   Misalignment(const Matrix3<Scalar>& matrix_) : matrix(matrix_) {
     require_finite("Misalignment", "matrix", matrix);
     const auto direction = [&](int i) {
       const Vector3<Scalar> row = matrix.row(i).transpose();
-      const Scalar largest = row.cwiseAbs().maxCoeff();  // over which it neither overflows nor underflows
+      const Scalar largest = row.cwiseAbs().maxCoeff();  // divided by it, the row neither overflows nor underflows
       return Vector3<Scalar>(largest > Scalar(0) ? Vector3<Scalar>(row / largest).normalized() : row);
     };
     const Scalar determinant = direction(0).cross(direction(1)).dot(direction(2));

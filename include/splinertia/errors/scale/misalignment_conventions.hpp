@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How calibration programs and data sheets write the matrix of misalignment.hpp, and back.
+/// Conversions between the matrix of misalignment.hpp and the conventions of calibration programs and data sheets.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,23 +8,23 @@
 
 namespace splinertia {
 
-/// A matrix as Kalibr splits it (imu.yaml of the scale-misalignment model): scale_and_shear·rotation.
+/// The matrix as Kalibr splits it (imu.yaml of the scale-misalignment model): scale_and_shear·rotation.
 template <typename Scalar>
 struct KalibrMisalignment {
   Matrix3<Scalar> scale_and_shear;  ///< Kalibr's M: lower triangular, scale factors (near 1) on the diagonal
   Matrix3<Scalar> rotation;         ///< Kalibr's C_gyro_i: from the IMU's axes to the sensor's
 };
 
-/// M·C: Kalibr's reading is M·C·ω + A·C·f + bias + noise for the gyroscope (its A·C is the GSensitivity), M·f + bias +
-/// noise for the accelerometer.
+/// The matrix M·C of Kalibr's parts. Kalibr's gyroscope reads M·C·ω + A·C·f + bias + noise (its A·C is the
+/// GSensitivity), its accelerometer M·f + bias + noise.
 template <typename Scalar>
 [[nodiscard]] Misalignment<Scalar> misalignment_from_kalibr(
     const Matrix3<Scalar>& scale_and_shear, const Matrix3<Scalar>& rotation = Matrix3<Scalar>::Identity()) {
   return Matrix3<Scalar>(scale_and_shear * rotation);
 }
 
-/// The parts that Kalibr would name: by orthogonalising the rows (Gram–Schmidt), the first of which keeps its
-/// direction. The rotation is proper; of a matrix that mirrors, the last scale factor is negative.
+/// Splits a matrix into Kalibr's parts by orthogonalising the rows (Gram–Schmidt); the first row keeps its direction.
+/// The rotation is proper. If the matrix mirrors, the last scale factor is negative.
 template <typename Scalar>
 [[nodiscard]] KalibrMisalignment<Scalar> split_misalignment(const Misalignment<Scalar>& misalignment) {
   const Matrix3<Scalar>& m = misalignment.matrix;
@@ -39,14 +39,14 @@ template <typename Scalar>
   return parts;
 }
 
-/// From percent, as data sheets have it: scale factor errors on the diagonal, cross-axis sensitivities (how much of the
-/// column's axis the row's feels) off it.
+/// The matrix from percentages, as in data sheets: scale factor errors on the diagonal, cross-axis sensitivities (how
+/// much the row's axis senses of the column's) off it.
 template <typename Scalar>
 [[nodiscard]] Misalignment<Scalar> misalignment_from_percent(const Matrix3<Scalar>& percent) {
   return Matrix3<Scalar>(Matrix3<Scalar>::Identity() + percent / Scalar(100));
 }
 
-/// What misalignment_from_percent was given.
+/// The inverse of misalignment_from_percent().
 template <typename Scalar>
 [[nodiscard]] Matrix3<Scalar> misalignment_percent(const Misalignment<Scalar>& misalignment) {
   return (misalignment.matrix - Matrix3<Scalar>::Identity()) * Scalar(100);

@@ -7,8 +7,8 @@
 
 namespace splinertia {
 
-/// A scale factor error: the reading is (1 + error) times what it was, and so is the bias in it. 0.01 is one percent.
-/// See misalignment.hpp for axes that are not at right angles, too.
+/// A scale factor error: the reading and the bias in it are multiplied by 1 + error. 0.01 is one percent. See
+/// misalignment.hpp for non-orthogonal axes as well.
 template <typename Scalar = double>
 struct ScaleFactor {
   static constexpr std::string_view name = "scale factor";

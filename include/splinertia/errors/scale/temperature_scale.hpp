@@ -8,9 +8,9 @@
 
 namespace splinertia {
 
-/// A scale factor error in proportion to how far the sensor is from its reference temperature: the reading, and the
-/// bias in it, is (1 + coefficient·(T(t) − reference)) times what it was. Coefficient per K, temperatures in °C; for
-/// T(t) see temperature.hpp.
+/// A scale factor error proportional to the deviation from a reference temperature: the reading and the bias in it are
+/// multiplied by 1 + coefficient·(T(t) − reference). Coefficient per K, temperatures in °C. For T(t) see
+/// temperature.hpp.
 template <typename Scalar, TemperatureProfile<Scalar> Profile>
 struct TemperatureScale {
   static constexpr std::string_view name = "temperature scale";
@@ -20,7 +20,7 @@ struct TemperatureScale {
   Profile temperature;
   Scalar reference;
 
-  /// Throws std::invalid_argument unless the numbers are finite, and their third powers.
+  /// Throws std::invalid_argument unless coefficient, reference and their third powers are finite.
   constexpr TemperatureScale(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
                              const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {

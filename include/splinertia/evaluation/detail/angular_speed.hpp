@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The angular speed |ω| of a trajectory, and how that of two go together.
+/// The angular speed |ω| of a trajectory, and the regression of one such speed on another.
 #pragma once
 
 #include <algorithm>
@@ -40,14 +40,15 @@ class AngularSpeed {
     return *middle;
   }
 
-  /// rad/s about the time t; unknown outside the trajectory and where poses are further apart than the window.
+  /// The mean over the window about time t, rad/s; `unknown` if the window begins or ends outside the trajectory or
+  /// between poses further apart than the window.
   [[nodiscard]] double at(double t, double window) const {
     const auto from = attitude(t - window / 2, window), to = attitude(t + window / 2, window);
     return from && to ? increment(*from, *to).norm() / window : unknown;
   }
 
-  /// At start, start + window/8, …: each the mean over another window, so that noise varies as slowly as the mean
-  /// speed.
+  /// The speeds at start, start + window/8, …, each averaged over another window, so that noise varies as slowly as the
+  /// mean speed.
   [[nodiscard]] std::vector<double> sampled(double start, double window, std::size_t count) const {
     constexpr std::size_t taps = 9;
     const double step = window / 8;
@@ -79,8 +80,8 @@ class AngularSpeed {
   std::vector<Sophus::SO3d> attitudes_;
 };
 
-/// The straight line y = intercept + slope x of least squares through speeds of which both are known. Speeds that vary
-/// by less than poses in files resolve are constant: nothing is correlated with them.
+/// The least-squares line y = intercept + slope x through the speeds that are known in both. Speeds that vary by less
+/// than `resolution`, which is what poses in files resolve, count as constant: slope and correlation are 0.
 struct SpeedRegression {
   static constexpr double resolution = 1e-7;  // rad/s
   std::size_t count = 0;
@@ -108,7 +109,7 @@ struct SpeedRegression {
     correlation = xy / std::sqrt(xx * yy);
   }
 
-  /// Calls use(i, squared residual) where both are known.
+  /// Calls use(i, squared residual) for each i for which both are known.
   void squares(std::span<const double> x, std::span<const double> y, const auto& use) const {
     for_known(x, y, [&](std::size_t i) {
       const double residual = y[i] - intercept - slope * x[i];

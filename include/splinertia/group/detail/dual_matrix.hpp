@@ -5,9 +5,9 @@
 
 namespace splinertia {
 
-/// The 6 × 6 matrix [A B; 0 A], kept as A + εB with ε² = 0: the form of every Adjoint, bracket and Jacobian of SE(3) on
-/// [translation; rotation], because SE(3) is SO(3) over the dual numbers. A product costs three 3 × 3 products, not
-/// eight.
+/// The 6 × 6 matrix [A B; 0 A], stored as the dual number A + εB with ε² = 0. Every Adjoint, bracket and Jacobian of
+/// SE(3) on [translation; rotation] has this form, because SE(3) is SO(3) over the dual numbers. A product costs three
+/// 3 × 3 products instead of eight.
 template <typename Scalar>
 struct DualMatrix3 {
   Matrix3<Scalar> real;  ///< A
@@ -22,7 +22,7 @@ struct DualMatrix3 {
   [[nodiscard]] DualMatrix3 operator-(const DualMatrix3& other) const { return {real - other.real, dual - other.dual}; }
   [[nodiscard]] friend DualMatrix3 operator*(const Scalar& s, const DualMatrix3& m) { return {s * m.real, s * m.dual}; }
 
-  /// The matrix written out.
+  /// The full 6 × 6 matrix.
   operator Eigen::Matrix<Scalar, 6, 6>() const {
     Eigen::Matrix<Scalar, 6, 6> m;
     m.template block<3, 3>(0, 0) = real;

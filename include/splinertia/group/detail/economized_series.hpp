@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Power series of which a few terms have been distributed over the others (Lanczos' economization), worked out by the
-/// compiler: within a few percent of the best polynomial of its degree on a whole interval.
+/// Economized power series (Lanczos), computed at compile time: the error on an interval is within a few percent of
+/// that of the best polynomial of the same degree.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -10,10 +10,10 @@
 
 namespace splinertia {
 
-/// Terms of an economized series: how many are enough for `bound` times c_n(0) on [0, length].
-/// The shifted Chebyshev polynomial T*_m of x/length has the leading coefficient 2^(2m−1)/length^m, so that taking out
-/// the term of degree m of Σ (−x)^m/(2m + n)! changes the sum by at most 2 (length/4)^m/(2m + n)!; the terms above add
-/// less than a tenth of that.
+/// The number of terms of an economized series for which its error on [0, length] is at most `bound` times c_n(0).
+/// T*_m(x/length), the shifted Chebyshev polynomial, has the leading coefficient 2^(2m−1)/length^m. Removing the term
+/// of degree m of Σ (−x)^m/(2m + n)! therefore changes the sum by at most 2 (length/4)^m/(2m + n)!. All higher terms
+/// together add less than a tenth of that.
 [[nodiscard]] constexpr int economized_terms(int n, long double length, long double bound) {
   long double change = 2;
   int terms = 0;
@@ -24,12 +24,13 @@ namespace splinertia {
   return terms;
 }
 
-/// Coefficients of a polynomial Σ_m a[m] x^m of Terms terms for Σ_m (−x)^m/(2m + n)! on [0, length].
-/// C. Lanczos, "Applied Analysis" (1956), VII.6: starting from a long enough Taylor polynomial in y = x/length, the
-/// highest term b y^m is replaced by b (y^m − T*_m(y)/2^(2m−1)), of degree m − 1, until Terms are left.
+/// The coefficients of the polynomial Σ_m a[m] x^m with Terms terms that approximates Σ_m (−x)^m/(2m + n)! on
+/// [0, length].
+/// C. Lanczos, "Applied Analysis" (1956), VII.6: start from a sufficiently long Taylor polynomial in y = x/length.
+/// Replace its highest term b y^m by b (y^m − T*_m(y)/2^(2m−1)), which has degree m − 1, until Terms terms are left.
 template <typename Real, int Terms>
 [[nodiscard]] constexpr FixedArray<Real, Terms> economized_series(int n, long double length) {
-  constexpr int size = Terms + 8;  // the first one left out is below 1e-10 of the error that is accepted
+  constexpr int size = Terms + 8;  // the first term left out is below 1e-10 of the accepted error
   FixedArray<long double, size> b{};
   long double term = 1;
   for (int i = 2; i <= n; ++i) term /= static_cast<long double>(i);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// SE(2) beyond its rotation: what exp, log and the Jacobians do to the translation. Tangents are [ρ; θ] (Sophus'
-/// order); i ρ is ρ turned by a right angle, (−ρ_y, ρ_x).
+/// SE(2): how exp, log and the Jacobians act on the translation. Tangents are [ρ; θ] (Sophus' order). i ρ = (−ρ_y, ρ_x)
+/// is ρ turned by a right angle.
 #pragma once
 
 #include <splinertia/group/detail/stumpff.hpp>
@@ -23,8 +23,8 @@ struct PlanarMotionExp {
   Vector2<Scalar> translation;
 };
 
-/// exp([ρ; θ]): the rotation (c₀, θc₁) = (cos θ, sin θ) and the translation c₁ρ + θc₂ iρ, all from one set of
-/// coefficients, at a third of what sine and cosine cost. Solà et al. (156), (158). Error of cosine and sine: 2 eps.
+/// exp([ρ; θ]): the rotation (c₀, θc₁) = (cos θ, sin θ) and the translation c₁ρ + θc₂ iρ. One set of coefficients gives
+/// both, at a third of the cost of sine and cosine. Error of cosine and sine: 2 eps. Solà et al. (156), (158).
 template <typename Scalar>
 [[nodiscard]] inline PlanarMotionExp<Scalar> planar_motion_exp(const Vector2<Scalar>& rho, const Scalar& theta) {
   const auto c = stumpff<3>(Scalar(theta * theta)).full;
@@ -32,10 +32,11 @@ template <typename Scalar>
   return {c[0], theta * c[1], {c[1] * rho.x() - s * rho.y(), c[1] * rho.y() + s * rho.x()}};
 }
 
-/// The ρ of log for the translation t and the angle θ: (1 − Eθ²) t − (θ/2) it, the inverse of the above, |θ| < 2π.
+/// The ρ of log for the translation t and the angle θ: ρ = (1 − Eθ²) t − (θ/2) it, |θ| < 2π. The inverse of
+/// planar_motion_exp().
 template <typename Scalar>
 [[nodiscard]] inline Vector2<Scalar> planar_motion_log(const Vector2<Scalar>& t, const Scalar& theta) {
-  // 1 − Eθ² = (θ/2) cot(θ/2) cancels towards π, so it is taken as the quotient that it is.
+  // 1 − Eθ² = (θ/2) cot(θ/2) cancels towards π; the quotient h₀/h₁ is the same without cancellation.
   const auto h = stumpff<3>(Scalar(theta * theta)).half;
   return h[0] / h[1] * t - theta / Constant<Scalar>(2) * quarter_turn(t);
 }

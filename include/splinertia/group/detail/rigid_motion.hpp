@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// SE(3) beyond its rotation: what exp, log and the Jacobians do to the translation.
+/// SE(3): how exp, log and the Jacobians act on the translation.
 ///
-/// Tangents are τ = [ρ; φ], translation first as in Sophus. SE(3) is SO(3) over the dual numbers φ + ε ρ, so each
-/// off-diagonal block below is the directional derivative along ρ of the rotation's function, and needs no coefficient
-/// besides those of group/detail/stumpff.hpp.
+/// Tangents are τ = [ρ; φ], translation first as in Sophus. SE(3) is SO(3) over the dual numbers φ + ε ρ. Each
+/// off-diagonal block below is therefore the directional derivative along ρ of the rotation's function. It needs no
+/// coefficients other than those of group/detail/stumpff.hpp.
 #pragma once
 
 #include <splinertia/group/detail/dual_matrix.hpp>
@@ -11,8 +11,8 @@
 
 namespace splinertia {
 
-/// The translation of exp([ρ; φ]): J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ, with the rotation's quaternion beside it.
-/// (ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) is the same, but loses a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.)
+/// exp([ρ; φ]): the rotation as a quaternion, and the translation J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ. (The equal
+/// form ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) loses a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.)
 template <typename Scalar>
 struct RigidMotionExp {
   Eigen::Quaternion<Scalar> rotation;
@@ -36,12 +36,12 @@ template <typename Scalar>
   return t - phi_t / Constant<Scalar>(2) + E * phi.cross(phi_t);
 }
 
-/// φ^ρ^ + ρ^φ^, symmetric: φρᵀ + ρφᵀ − 2(φ·ρ) I.
+/// φ^ρ^ + ρ^φ^ = φρᵀ + ρφᵀ − 2(φ·ρ) I, a symmetric matrix.
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> hat_anticommutator(const Vector3<Scalar>& phi, const Vector3<Scalar>& rho) {
   Matrix3<Scalar> m = phi * rho.transpose() + rho * phi.transpose();
   const Scalar xx = phi.x() * rho.x(), yy = phi.y() * rho.y(), zz = phi.z() * rho.z();
-  // The diagonal term by term: subtracting the dot product would cancel.
+  // The diagonal is summed term by term: subtracting the dot product would cancel.
   m(0, 0) = -Constant<Scalar>(2) * (yy + zz);
   m(1, 1) = -Constant<Scalar>(2) * (xx + zz);
   m(2, 2) = -Constant<Scalar>(2) * (xx + yy);

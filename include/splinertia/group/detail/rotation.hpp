@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// SO(3) on unit quaternions and rotation vectors: what the adapter of Sophus' SO3 and SE3 is made of.
+/// SO(3) on unit quaternions and rotation vectors: the functions behind the groups SO3 and SE3 of sophus.hpp.
 ///
-/// Quaternions are Hamilton's, q and −q are the same rotation. φ is a rotation vector in radians, φ^ its cross product
-/// matrix. No function needs a small-angle threshold of its own (group/detail/stumpff.hpp).
+/// Quaternions are Hamilton's; q and −q are the same rotation. φ is a rotation vector in radians, φ^ its cross product
+/// matrix. Only the logarithm has a small-angle branch; the other functions use group/detail/stumpff.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace splinertia {
 
-/// exp(φ) as a quaternion (sin(θ/2) φ/θ, cos(θ/2)). Unit to rounding, not normalised.
+/// exp(φ) as a quaternion (sin(θ/2) φ/θ, cos(θ/2)). Of unit length up to rounding; not normalised.
 template <typename Scalar>
 [[nodiscard]] inline Eigen::Quaternion<Scalar> rotation_exp(const Vector3<Scalar>& phi) {
   const auto h = stumpff<1>(Scalar(phi.squaredNorm())).half;
@@ -23,13 +23,13 @@ template <typename Scalar>
   return {h[0], s * phi.x(), s * phi.y(), s * phi.z()};
 }
 
-/// a·b, summed from the first component on whatever the scalar is. (Eigen's order depends on its packets.)
+/// a·b, summed in the order x, y, z for every scalar. (The order in Eigen depends on its SIMD packets.)
 template <typename Scalar>
 [[nodiscard]] inline Scalar scalar_product(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
-/// exp(λ φ). What does not depend on λ is apart, for a compiler to do it once for many λ.
+/// exp(λ φ). What does not depend on λ is computed separately, so that a compiler can do it once for many λ.
 template <typename Scalar>
 [[nodiscard]] inline Eigen::Quaternion<Scalar> rotation_exp(const Scalar& lambda, const Vector3<Scalar>& phi) {
   const Scalar theta2 = scalar_product<Scalar>(phi, phi);
@@ -38,20 +38,21 @@ template <typename Scalar>
   return {h[0], s * phi.x(), s * phi.y(), s * phi.z()};
 }
 
-/// The rotation vector, |φ| ≤ π, of the quaternion (v, w) with w ≥ 0, of any length: φ = v 2 atan2(|v|, w)/|v|.
-/// At w = 0 (a rotation by π) the sign of v is kept. NaN for a quaternion that is zero or not finite.
+/// The rotation vector φ = v 2 atan2(|v|, w)/|v|, |φ| ≤ π, of the quaternion (v, w) with w ≥ 0 and any length. At w = 0
+/// (a rotation by π) the sign of v is kept. NaN for a quaternion that is zero or not finite.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotation_log_folded(const Vector3<Scalar>& v, const Scalar& w) {
   using Real = Constant<Scalar>;
   using std::atan2, std::sqrt;
   const Scalar n2 = v.squaredNorm();
   if (n2 < std::numeric_limits<Real>::epsilon() * w * w) {
-    // Two terms of the arc tangent's series; the next is (2/5)(|v|/w)⁴ < eps². Holds where n2 underflows, too.
+    // Two terms of the arc tangent's series; the next is (2/5)(|v|/w)⁴ < eps². Also correct where n2 underflows.
     return v * Scalar((Real(2) - Real(2) / Real(3) * n2 / (w * w)) / w);
   }
   using Limits = std::numeric_limits<Real>;
   if (!(n2 >= (Limits::min)() / Limits::epsilon() && n2 <= (Limits::max)())) [[unlikely]] {
-    // |v|² is no number of full accuracy, and w is not large beside it. Divided by the largest component, it is.
+    // |v|² overflows or is too small for full accuracy, and w is not large beside |v|. Divide by the largest component
+    // first.
     using std::abs;
     Scalar largest = w;
     for (int i = 0; i < 3; ++i) largest = (std::max)(largest, Scalar(abs(v[i])));
@@ -64,7 +65,7 @@ template <typename Scalar>
   return v * Scalar(Real(2) * atan2(n, w) / n);
 }
 
-/// The rotation vector, |φ| ≤ π, of a quaternion of any finite length other than zero. Relative error below 2 eps
+/// The rotation vector, |φ| ≤ π, of a quaternion of any finite non-zero length. The relative error is below 2 eps
 /// everywhere.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotation_log(const Eigen::Quaternion<Scalar>& q) {
@@ -72,8 +73,8 @@ template <typename Scalar>
   return rotation_log_folded<Scalar>(q.vec(), q.w());
 }
 
-/// log(a⁻¹ b). The product is taken of a and b − a, which is exact for close a and b (Sterbenz), so that the relative
-/// error stays at eps however small the rotation between them; equal quaternions give exactly zero.
+/// log(a⁻¹ b), computed from a and b − a. The difference is exact for close a and b (Sterbenz), so the relative error
+/// stays at eps however small the rotation between them is. Equal quaternions give exactly zero.
 template <typename Scalar>
 [[nodiscard]] inline Vector3<Scalar> rotation_increment(const Eigen::Quaternion<Scalar>& a,
                                                         const Eigen::Quaternion<Scalar>& b) {
@@ -87,7 +88,7 @@ template <typename Scalar>
   return rotation_log_folded<Scalar>(v, flip ? Scalar(-dot) : dot);
 }
 
-/// The product of quaternions. Component by component: Eigen's goes through memory where values are in registers.
+/// The product of quaternions, component by component: Eigen's goes through memory even for values in registers.
 template <typename Scalar>
 [[nodiscard]] inline Eigen::Quaternion<Scalar> quaternion_product(const Eigen::Quaternion<Scalar>& a,
                                                                   const Eigen::Quaternion<Scalar>& b) {
@@ -139,7 +140,7 @@ template <typename Scalar>
   return m;
 }
 
-/// M φ^: every row of M times φ^ is its cross product with φ.
+/// M φ^: each row is the cross product of that row of M with φ.
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> times_hat(const Matrix3<Scalar>& M, const Vector3<Scalar>& phi) {
   Matrix3<Scalar> m;
@@ -149,7 +150,7 @@ template <typename Scalar>
   return m;
 }
 
-/// φ^ M: the cross product of φ with every column of M.
+/// φ^ M: each column is the cross product of φ with that column of M.
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> hat_times(const Vector3<Scalar>& phi, const Matrix3<Scalar>& M) {
   Matrix3<Scalar> m;
@@ -161,7 +162,7 @@ template <typename Scalar>
   return m;
 }
 
-/// a φ^ + b φ^² + c I, the form of every Jacobian of SO(3).
+/// c I + a φ^ + b φ^², the form of every Jacobian of SO(3).
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> hat_polynomial(const Scalar& c, const Scalar& a, const Scalar& b,
                                                     const Vector3<Scalar>& phi) {
@@ -183,7 +184,7 @@ template <typename Scalar>
   return hat_polynomial<Scalar>(Scalar(1), c[2], c[3], phi);
 }
 
-/// J_l(φ)⁻¹ = I − φ^/2 + E φ^², |φ| < 2π. Barfoot (7.76), with E in a form that is exact at π.
+/// J_l(φ)⁻¹ = I − φ^/2 + E φ^², |φ| < 2π. Barfoot (7.76), with E in a form that stays accurate at π.
 template <typename Scalar>
 [[nodiscard]] inline Matrix3<Scalar> rotation_left_jacobian_inverse(const Vector3<Scalar>& phi) {
   const Scalar E = inverse_jacobian_coefficient(stumpff<3>(Scalar(phi.squaredNorm())));

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-/// The one family of coefficient functions behind exp, its Jacobians, their inverses and derivatives, on every group
-/// that contains a rotation: the Stumpff functions
+/// The coefficient functions of exp, its Jacobians, their inverses and derivatives on every group that contains a
+/// rotation: the Stumpff functions
 ///
 ///   c_n(X) = Σ_m (−X)^m / (2m + n)!,   X = θ²
 ///   c₀ = cos θ, c₁ = sin θ/θ, c₂ = (1 − cos θ)/θ², c₃ = (θ − sin θ)/θ³, c₄ = (θ²/2 + cos θ − 1)/θ⁴, …
 ///
-/// Their closed forms cancel for small θ, the more the higher n, and no threshold between closed form and series is
-/// right for every scalar. Instead: a short polynomial at half the angle gives the two highest members, the recursion
-/// c_n = 1/n! − X c_{n+2} the lower ones, and doubling the angle takes sums of positive terms only. So there is no
-/// cancellation, division, square root, trigonometry or special case from θ = 0 to θ = π; up to 2π the angle is
-/// doubled twice; beyond, where nothing cancels any more, the closed forms are used.
+/// The closed forms cancel for small θ, more so for higher n. No threshold between closed form and series suits every
+/// scalar. Instead, from θ = 0 to π, short polynomials at half the angle give the two highest functions. The recursion
+/// c_n = 1/n! − X c_{n+2} gives the lower ones. Doubling the angle adds only positive terms (except for c₀ = 2h₀² − 1).
+/// This needs no cancellation, division by a variable, square root, trigonometric function or special case. Up to 2π
+/// the angle is doubled twice. Beyond 2π the closed forms are used; nothing cancels there.
 ///
-/// Relative error (units of eps; measured on [0, π], float, double and long double): c₁ … c₅ at most 2.5, c₆, c₇ and
+/// Relative error (units of eps; measured on [0, π], float, double and long double): c₁ … c₇ and
 /// inverse_jacobian_coefficient at most 2.5.
-/// Source: E. Stumpff, Himmelsmechanik I (1959), ch. V; doubling as in R. Danby, Fundamentals of Celestial Mechanics
-/// (1988), 6.9.
+/// Source: K. Stumpff, Himmelsmechanik I (1959), ch. V; doubling as in J. M. A. Danby, Fundamentals of Celestial
+/// Mechanics (1988), 6.9.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@
 
 namespace splinertia {
 
-/// The type in which constants for Scalar are kept: a built-in type where it is precise enough (also for automatic
-/// differentiation types such as ceres::Jet, whose products with it are cheaper), else Scalar itself.
+/// The type of constants that are used with Scalar: a built-in type if it is precise enough, else Scalar itself. For
+/// automatic differentiation types such as ceres::Jet, products with a built-in type are cheaper.
 template <typename Scalar>
 using Constant = std::conditional_t<
     (std::numeric_limits<Scalar>::digits <= std::numeric_limits<float>::digits), float,
@@ -40,17 +40,17 @@ using Constant = std::conditional_t<
         std::conditional_t<(std::numeric_limits<Scalar>::digits <= std::numeric_limits<long double>::digits),
                            long double, Scalar>>>;
 
-/// c_n(X) and the values c_n(X/4) at half the angle that they were made from, n = 0 … N.
+/// c_n(X) and, at half the angle, c_n(X/4), n = 0 … N.
 template <typename Scalar, int N>
 struct StumpffValues {
   FixedArray<Scalar, N + 1> full;
   FixedArray<Scalar, N + 1> half;
 };
 
-/// The half angle that the polynomials reach to, squared: just above (π/2)².
+/// The upper end of the argument of the polynomials: just above (π/2)², the square of half of θ = π.
 inline constexpr long double stumpff_reach = 2.4675L;
 
-/// The number of terms of the Taylor polynomial for c_n, so that the first one left out is below eps/2:
+/// The number of Taylor terms of c_n for which the first omitted term, relative to c_n(0), is below eps/2:
 /// x^terms n!/(2 terms + n)! < 2^−digits with x = (π/2)².
 [[nodiscard]] constexpr int stumpff_terms(int n, int digits) {
   long double remainder = 1;
@@ -64,7 +64,7 @@ inline constexpr long double stumpff_reach = 2.4675L;
   return terms;
 }
 
-/// Taylor's coefficients of c_n, (−1)^m/(2m + n)! for m = 0 … Terms − 1.
+/// The Taylor coefficients of c_n: (−1)^m/(2m + n)! for m = 0 … Terms − 1.
 template <typename Real, int Terms>
 [[nodiscard]] constexpr FixedArray<Real, Terms> taylor_series(int n) {
   FixedArray<Real, Terms> table{};
@@ -78,8 +78,9 @@ template <typename Real, int Terms>
   return table;
 }
 
-/// Σ_m a[m] x^m, even and odd powers apart: two chains of half the length, which a processor computes side by side.
-/// Neither is longer than the other by more than a term, and for Σ a[m] x^m with terms of falling size neither cancels.
+/// Σ_m a[m] x^m, with even and odd powers summed separately: two independent chains of half the length, which a
+/// processor computes side by side. Their lengths differ by at most one term. If the terms of the alternating sum fall
+/// in size, neither chain cancels.
 template <typename Scalar, typename Real, std::size_t Terms>
 [[nodiscard]] inline Scalar polynomial(const std::array<Real, Terms>& a, const Scalar& x) {
   static_assert(Terms >= 2);
@@ -94,10 +95,10 @@ template <typename Scalar, typename Real, std::size_t Terms>
          every_other(2 * even, std::make_index_sequence<even>{});
 }
 
-/// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types, alone or in lanes, take the economized series, which is a term or
-/// two shorter: it is within eps/8 of c_n(0). Others take Taylor's: long double, because its coefficients are not
-/// rounded from a type of more digits; automatic differentiation, because its derivatives are not quite so good; and
-/// types of more digits yet.
+/// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types narrower than long double, alone or in SIMD packs (Lanes), use the
+/// economized series: it is one or two terms shorter, with an error of at most eps/8 of c_n(0). Other types use the
+/// Taylor series: long double, because its coefficients cannot be rounded from a wider type; automatic differentiation
+/// types, because the derivatives of the economized series are less accurate; and types with still more digits.
 template <int n, typename Scalar>
 [[nodiscard]] inline Scalar stumpff_series(const Scalar& x) {
   using Real = Constant<Scalar>;
@@ -117,11 +118,12 @@ template <int n, typename Scalar>
   }
 }
 
-/// h_n = c_n(x), n = 0 … N, for 0 ≤ x ≤ (π/2)²: the highest two by series, the others by h_n = 1/n! − x h_{n+2}.
+/// h_n = c_n(x), n = 0 … N, for 0 ≤ x ≤ (π/2)²: series for the two highest, h_n = 1/n! − x h_{n+2} for the others.
 template <int N, typename Scalar>
 [[nodiscard]] inline FixedArray<Scalar, N + 1> stumpff_small(const Scalar& x) {
   static_assert(N % 2 == 1 && N <= 7, "the recursion descends in steps of two");
-  // From higher members than asked for, each needs fewer terms, and the low ones are as accurate as they can be.
+  // Start higher than N if N is small: the series of higher functions need fewer terms, and the recursion gives the low
+  // ones their best accuracy.
   constexpr int top = N == 1 ? 3 : N < 5 ? 5 : N;
   constexpr std::array<int, 6> factorial{1, 1, 2, 6, 24, 120};
   FixedArray<Scalar, top + 1> h;
@@ -155,7 +157,7 @@ template <typename Scalar, std::size_t Size>
   return c;
 }
 
-/// c_n(X), n = 0 … N, by the closed forms, for θ > π, where they lose no more than a digit.
+/// c_n(X), n = 0 … N, by the closed forms, for θ > π, where they lose at most one digit.
 template <int N, typename Scalar>
 [[nodiscard]] inline FixedArray<Scalar, N + 1> stumpff_large(const Scalar& X) {
   using Real = Constant<Scalar>;
@@ -192,7 +194,7 @@ template <int N, typename Scalar>
   return values;
 }
 
-/// The same in lanes, for X ≤ π² only: no lane branches.
+/// The same for SIMD packs, for X ≤ π² only: the lanes of a pack cannot take different branches.
 template <int N, typename T, int Size, int Bytes>
 [[nodiscard]] inline StumpffValues<Lanes<T, Size, Bytes>, N> stumpff(const Lanes<T, Size, Bytes>& X) {
   using L = Lanes<T, Size, Bytes>;
@@ -209,8 +211,9 @@ template <typename Scalar, int N>
   return (c.half[2] - c.half[3]) / (Constant<Scalar>(4) * c.half[1]);
 }
 
-/// (dc_n/dθ)/θ = n c_{n+2} − c_{n+1}, n = 1 … 5. Needs N ≥ n + 2. Towards π that difference cancels (n = 3: by a factor
-/// of 5), so the doubling formula of c_n is differentiated instead, where the differences are those at half the angle.
+/// (dc_n/dθ)/θ = n c_{n+2} − c_{n+1}, n = 1 … 5. Needs N ≥ n + 2. This difference cancels towards π (n = 3: by a factor
+/// of 5). The code therefore differentiates the doubling formula of c_n, where the differences are those at half the
+/// angle.
 template <int n, typename Scalar, int N>
 [[nodiscard]] inline Scalar stumpff_derivative(const StumpffValues<Scalar, N>& c) {
   using Real = Constant<Scalar>;

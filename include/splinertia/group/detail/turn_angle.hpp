@@ -10,9 +10,9 @@
 
 namespace splinertia {
 
-/// The angle, rad, by which exp(δ) turns: of(δ). 0 for groups without rotations, and the largest of the factors of a
-/// product. Known are types with Sophus' accessors: unit_quaternion(), so3(), unit_complex(), so2(). Specialise it for
-/// a rotation of another library.
+/// TurnAngle<G>::of(δ) is the rotation angle of exp(δ), rad: 0 for groups without rotations, the largest of the factors
+/// for a product. It recognises types with Sophus' accessors: unit_quaternion(), so3(), unit_complex(), so2().
+/// Specialise it for the rotations of another library.
 template <LieGroup G>
 struct TurnAngle {
   using Scalar = ScalarOf<G>;

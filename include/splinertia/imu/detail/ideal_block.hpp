@@ -16,18 +16,19 @@
 
 namespace splinertia {
 
-/// A few ideal measurements ahead, in constant memory: for who reads them one after the other along a curve that can be
-/// evaluated at several times at once.
+/// A block of ideal measurements, computed ahead in constant memory. It is for curves that can be evaluated at several
+/// times at once (LaneCurve), if the measurements are read in order.
 template <LaneCurve C>
   requires Pose<typename C::Group>
 class IdealImuBlock {
  public:
   using Scalar = typename C::Scalar;
   using Time = typename C::Time;
-  static constexpr std::size_t capacity = 64;  // some vectors of each segment of most curves; 4 KiB with the times
+  static constexpr std::size_t capacity = 64;  // several SIMD packs per segment of most curves; 4 KiB with the times
 
-  /// The measurements at time(first), …, time(first + count − 1), count <= capacity, in ascending order and about
-  /// 1/rate seconds apart. `gravity` in the world, m/s². True if all are finite; false may be that sums overflow.
+  /// Computes the measurements at time(first), …, time(first + count − 1), count <= capacity. The times ascend and are
+  /// about 1/rate seconds apart. `gravity` in the world, m/s². Returns true if all are finite; false can also mean that
+  /// their sums overflow.
   [[nodiscard, gnu::noinline]] bool fill(const C& curve, const Vector3<Scalar>& gravity, double rate, std::size_t first,
                                          std::size_t count, const auto& time) {
     first_ = first;
@@ -49,7 +50,7 @@ class IdealImuBlock {
     return is_finite(std::accumulate(sums.begin(), sums.end(), Scalar(0)));
   }
 
-  /// Whether sample i is there, i >= the first.
+  /// Whether the block holds sample i, for i >= first.
   [[nodiscard]] bool holds(std::size_t i) const { return i < end_; }
   [[nodiscard]] Time time(std::size_t i) const { return times_[i - first_]; }
   [[nodiscard]] ImuMeasurement<Scalar> operator[](std::size_t i) const {

@@ -14,7 +14,7 @@
 
 namespace splinertia {
 
-/// A file to read, straight into the memory of the reader.
+/// A file to read, directly into the caller's memory.
 class InputFile {
  public:
   /// Opens it. Throws std::runtime_error with path and reason if it is missing, unreadable or a directory.
@@ -34,10 +34,10 @@ class InputFile {
   /// Reads the next bytes and returns how many; fewer than `size` only at the end of the file or if it failed().
   [[nodiscard]] std::size_t read(char* to, std::size_t size) { return std::fread(to, 1, size, file_.get()); }
 
-  /// Whether the system could not read on.
+  /// Whether the system failed to read.
   [[nodiscard]] bool failed() const { return std::ferror(file_.get()) != 0; }
 
-  /// Its bytes when it was opened; 0 if that is not known (a pipe).
+  /// The number of bytes when it was opened; 0 if that is not known (a pipe).
   [[nodiscard]] std::uintmax_t size() const { return size_; }
 
   /// Its name, for messages.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Numbers as eight bytes, the lowest first, whatever the machine has. Compilers make one instruction of each.
+/// Numbers as eight bytes in little-endian order on any machine. Compilers turn each function into one instruction.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>

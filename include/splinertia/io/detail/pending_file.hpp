@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// A file that nobody sees until it is complete.
+/// A file that is not visible until it is complete.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -24,7 +24,7 @@
 
 namespace splinertia::detail {
 
-/// The path behind symbolic links, of which there is no loop. The last one may lead to a file that is not there yet.
+/// The path to which symbolic links lead; a file need not exist there. Requires that the links form no loop.
 [[nodiscard]] inline std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code error;
   while (std::filesystem::is_symlink(path, error)) {
@@ -33,13 +33,13 @@ namespace splinertia::detail {
   return path;
 }
 
-/// A file without a name where the system has such (Linux: O_TMPFILE, on most local file systems), so that whatever
-/// ends the program leaves nothing of it; else a hidden file `.splinertia.NUMBER.tmp` beside the target, which a
-/// program that is killed leaves.
+/// A file without a name, if the system supports it (Linux: O_TMPFILE, on most local file systems): nothing of it is
+/// left, however the program ends. Otherwise a hidden file `.splinertia.NUMBER.tmp` beside the target, which is left if
+/// the program is killed.
 class PendingFile {
  public:
-  /// Creates it. Throws std::runtime_error if the target cannot be written: it is no regular file, it is read-only, its
-  /// name is too long, there is no such folder, …
+  /// Creates it. Throws std::runtime_error if the target cannot be written: it is not a regular file, it is read-only,
+  /// its name is too long, there is no such folder, …
   explicit PendingFile(const std::filesystem::path& path) : given_(path), target_(path) {
     std::error_code error;
     const auto old = std::filesystem::status(path, error);
@@ -68,9 +68,9 @@ class PendingFile {
 
   /// The path that it was given.
   [[nodiscard]] const std::filesystem::path& given() const { return given_; }
-  /// Where it is going to be. Links are followed.
+  /// The path at which it will appear, with links followed.
   [[nodiscard]] const std::filesystem::path& target() const { return target_; }
-  /// Where it can be looked at until it is published.
+  /// The path by which it can be accessed until it is published.
   [[nodiscard]] const std::filesystem::path& source() const { return source_; }
 
   void write(std::string_view text) {
@@ -79,7 +79,7 @@ class PendingFile {
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail("cannot write", last_error());
   }
 
-  /// Replaces the beginning of the file, at least as long, by a text of its size.
+  /// Overwrites the first text.size() characters of the file. Requires that the file is at least as long.
   void overwrite_begin(std::string_view text) {
     errno = 0;
     if (std::fseek(file_, 0, SEEK_SET) != 0) fail("cannot write", last_error());
@@ -87,13 +87,13 @@ class PendingFile {
     if (std::fseek(file_, 0, SEEK_END) != 0) fail("cannot write", last_error());
   }
 
-  /// Says that everything is written. A file without a name stays open, because it is gone when it is closed.
+  /// To be called when everything is written. A file without a name stays open, because closing deletes it.
   void complete() {
     errno = 0;
     if (!nameless_ && std::fclose(std::exchange(file_, nullptr)) != 0) fail("cannot write", last_error());
   }
 
-  /// Puts the file, when complete, in the target's place.
+  /// Replaces the target by the file, which has to be complete.
   void publish() {
     std::error_code error;
     if (nameless_) {
@@ -113,7 +113,7 @@ class PendingFile {
     discard();
   }
 
-  /// Gives the file away, but not its paths, which messages name.
+  /// Hands over the file. The paths stay here as well, for messages.
   [[nodiscard]] PendingFile release() {
     auto given = given_, target = target_;
     PendingFile released(std::move(*this));
@@ -134,7 +134,7 @@ class PendingFile {
 
   [[nodiscard]] static std::error_code last_error() { return {errno, std::generic_category()}; }
 
-  /// Says so for the superuser as well, whom the system would let write.
+  /// A file without any write permission counts as read-only for the superuser as well.
   [[nodiscard]] bool is_read_only(std::filesystem::perms permissions) const {
     using std::filesystem::perms;
     if ((permissions & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none) return true;
@@ -149,7 +149,7 @@ class PendingFile {
     return target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
   }
 
-  /// Short, because the name of the target may be as long as a name can be.
+  /// Short, because the name of the target may already have the maximum length.
   [[nodiscard]] std::filesystem::path temporary_path() const {
     return folder() / message(".splinertia.", std::random_device()(), ".tmp");
   }
@@ -160,7 +160,7 @@ class PendingFile {
     if (descriptor < 0) return;
     source_ = message("/proc/self/fd/", descriptor);
     nameless_ = true;
-    // Only through /proc it can get a name.
+    // Without /proc it could not get a name later.
     if (::access(source_.c_str(), F_OK) == 0) file_ = ::fdopen(descriptor, "wb");
     if (!file_) ::close(descriptor);
   }

@@ -10,12 +10,11 @@
 
 namespace splinertia {
 
-/// Makes rotations of the quaternions in the rows of a table, one after the other. Each is normalised and gets the sign
-/// nearer to its predecessor (the first keeps its own), so that the four numbers are continuous where the motion is.
+/// Converts the quaternions in successive rows of a table to rotations. Each is normalised and gets the sign nearer to
+/// its predecessor (the first keeps its own), so that the four numbers are continuous where the motion is.
 ///
-/// Throws std::runtime_error with file:line for a quaternion whose norm is not 1 within `norm_tolerance`. A norm of 1
-/// to within `exact_norm` is what arithmetic leaves: such a quaternion is taken as it is, so that what the writers
-/// wrote reads back to the same bits.
+/// A norm that is 1 within `exact_norm` differs from 1 by rounding only. Such a quaternion is not normalised, so that
+/// what the writers wrote reads back to the same bits.
 class QuaternionTrack {
  public:
   static constexpr double norm_tolerance = 1e-3;
@@ -34,13 +33,14 @@ class QuaternionTrack {
     return rotation_from_unit_quaternion<double>(Eigen::Quaterniond{coefficients});
   }
 
-  /// The rotation of the next quaternion, which stands in a row of a table.
+  /// The rotation of the next quaternion, in a row of a table. Throws std::runtime_error with file:line unless its norm
+  /// is 1 within `norm_tolerance`.
   [[nodiscard]] Sophus::SO3d next(const StampedTable& row, const Eigen::Quaterniond& q) {
     if (!is_unit(q)) row.fail(problem_of(q));
     return next(q);
   }
 
-  /// What is wrong with a quaternion that is not unit, as text.
+  /// The message about a quaternion that is not unit.
   [[nodiscard]] static std::string problem_of(const Eigen::Quaterniond& q) {
     return message("quaternion with w x y z = ", q.w(), ' ', q.x(), ' ', q.y(), ' ', q.z(), " has norm ", q.norm(),
                    ", expected 1 within ", norm_tolerance);

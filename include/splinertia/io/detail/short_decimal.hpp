@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Decimal numbers as programs write them, in integer arithmetic: twice as fast as std::from_chars of libstdc++.
+/// Parses decimal numbers of usual length by integer arithmetic: twice as fast as std::from_chars of libstdc++.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -29,14 +29,14 @@ inline constexpr auto powers_of_five = [] {
 inline constexpr auto reciprocals_of_powers = [] {
   std::array<std::uint64_t, powers_of_five.size()> reciprocals{};
   for (std::size_t i = 0; i < reciprocals.size(); ++i) {
-    const Wide largest = ~Wide{0} >> 1;  // as good as 2^127, which d does not divide
+    const Wide largest = ~Wide{0} >> 1;  // as good as 2^127, which only the unused d of i = 0 divides
     reciprocals[i] = static_cast<std::uint64_t>(largest / (powers_of_five[i] << std::countl_zero(powers_of_five[i])));
   }
   return reciprocals;
 }();
 
-/// digits·10^power, rounded to the nearest double, to even if two are as near. Requires |power| ≤ 27. Product and
-/// quotient are exact integers. What does not fit in their 64 bits only sets the last one, which decides the rounding.
+/// digits·10^power, rounded to the nearest double, ties to even. Requires |power| ≤ 27. Product and quotient are exact
+/// integers. What does not fit in 64 bits only sets the last of these bits, which is enough for the rounding.
 [[nodiscard]] inline double decimal_value(std::uint64_t digits, int power) {
   if (digits == 0) return 0;
   const auto index = static_cast<std::size_t>(power < 0 ? -power : power);
@@ -49,8 +49,8 @@ inline constexpr auto reciprocals_of_powers = [] {
   if (power < 0) {
     const int free_of_factor = std::countl_zero(factor);
     exponent += free_of_factor - 63;
-    // The quotient is less than 2 above this. A double keeps 53 bits of its 63 or 64, so that rounding cannot depend on
-    // the difference unless the last 9 bits are about zero.
+    // The exact quotient exceeds this by less than 2. A double keeps 53 of its 63 or 64 bits. The rounding can
+    // therefore depend on the difference only if the last 9 bits are nearly zero.
     bits = static_cast<std::uint64_t>(static_cast<Wide>(normal) * reciprocals_of_powers[index] >> 64);
     if (((bits + 2) & 0x1FF) <= 2) {
       const std::uint64_t divisor = factor << free_of_factor;
@@ -72,16 +72,16 @@ inline constexpr auto reciprocals_of_powers = [] {
 
 inline constexpr std::uint64_t ascii_zeros = 0x3030303030303030;
 
-/// The number that 8 bytes of ASCII digits stand for. The first digit is the lowest byte.
+/// The number with these 8 digits, a byte of 0 to 9 each. The first digit is the lowest byte.
 [[nodiscard]] inline std::uint64_t eight_digits(std::uint64_t bytes) {
   bytes = (bytes * 10 + (bytes >> 8)) & 0x00FF00FF00FF00FF;
   bytes = (bytes * 100 + (bytes >> 16)) & 0x0000FFFF0000FFFF;
   return (bytes * 10000 + (bytes >> 32)) & 0x00000000FFFFFFFF;
 }
 
-/// The bytes that are no ASCII digit, by bits that are set in them; right up to the first such byte.
+/// Has bits set in the bytes that are not ASCII digits; correct up to the first such byte.
 [[nodiscard]] inline std::uint64_t non_digits(std::uint64_t bytes) {
-  // A digit has 3 in its upper half, and still 3 when 6 is added. A carry reaches only what is behind a non-digit.
+  // A digit has 3 in its upper half, before and after 6 is added. A carry reaches only bytes behind a non-digit.
   constexpr std::uint64_t sixes = 0x0606060606060606, upper = 0xF0F0F0F0F0F0F0F0;
   return ((bytes ^ ascii_zeros) | ((bytes + sixes) ^ ascii_zeros)) & upper;
 }
@@ -97,7 +97,8 @@ inline constexpr std::uint64_t ascii_zeros = 0x3030303030303030;
       number = number * 100'000'000 + eight_digits(bytes ^ ascii_zeros);
     }
     if (last - begin >= 8) {
-      // Near the end the 8 bytes begin earlier, and those before `first` are shifted out. Shifts are up to 64.
+      // Near the end the 8 bytes begin earlier, and those before `first` are shifted out, in two steps because a shift
+      // by 64 is undefined.
       const std::ptrdiff_t left = std::min<std::ptrdiff_t>(8, last - first);
       std::memcpy(&bytes, first + left - 8, 8);
       bytes = bytes >> (4 * (8 - left)) >> (4 * (8 - left));
@@ -114,10 +115,10 @@ inline constexpr std::uint64_t ascii_zeros = 0x3030303030303030;
   return first;
 }
 
-/// How many of the first 8 characters of a decimal number are zeros before its first other digit. Its point is behind
-/// `integers` digits. Without a branch, since the numbers of a table differ in this.
+/// The number of leading zeros among the first 8 characters of a decimal number whose point is behind `integers`
+/// digits. It has no branch, since the numbers of a table differ in this.
 [[nodiscard]] inline std::ptrdiff_t leading_zeros(const char* first, std::ptrdiff_t integers) {
-  if constexpr (std::endian::native != std::endian::little) return 0;  // then fewer numbers are short enough
+  if constexpr (std::endian::native != std::endian::little) return 0;  // then std::from_chars reads more numbers
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, first, 8);
   bytes ^= ascii_zeros;
@@ -126,14 +127,14 @@ inline constexpr std::uint64_t ascii_zeros = 0x3030303030303030;
   return leading - (leading > integers ? 1 : 0);
 }
 
-/// Reads the decimal number that a text begins with as std::from_chars does, and returns where it ends. Null for what
-/// std::from_chars must read: more than 19 digits, a power of ten beyond ±27, or no number.
+/// Reads the decimal number at the beginning of a text as std::from_chars does, and returns its end. Returns null if it
+/// has to be read by std::from_chars: more than 19 digits, a power of ten beyond ±27, or not a number.
 [[nodiscard]] inline const char* short_decimal(const char* first, const char* last, double& value) {
   if (first == last) return nullptr;
   const std::ptrdiff_t sign = *first == '-' ? 1 : 0;
   const char* const begin = first + sign;
   std::uint64_t number = 0;
-  const char* end = begin;  // mostly one digit: not worth append_digits
+  const char* end = begin;  // usually one digit: not worth append_digits
   for (; end != last && *end >= '0' && *end <= '9'; ++end)
     number = number * 10 + static_cast<std::uint64_t>(*end - '0');
   std::ptrdiff_t digits = end - begin, decimals = 0;
@@ -161,7 +162,7 @@ inline constexpr std::uint64_t ascii_zeros = 0x3030303030303030;
   }
   constexpr auto most = static_cast<std::ptrdiff_t>(powers_of_five.size()) - 1;
   if (power < -most || power > most) return nullptr;
-  // Signs are random: no branch.
+  // No branch, since signs are random.
   value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(decimal_value(number, static_cast<int>(power))) |
                                 static_cast<std::uint64_t>(sign) << 63);
   return end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What the columns of a trajectory file hold: lists of names.
+/// What the columns of a trajectory file hold, as lists of names.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 
 namespace splinertia::detail {
 
-/// What a column can hold. A value of a row has the index of its column's name.
+/// The names of what a column can hold. The value of a column is stored at the index of its name.
 inline constexpr std::array<std::string_view, 26> trajectory_column_names{
     "t",   "x",   "y",   "z",   "qx",  "qy",  "qz",  "qw",  "vx",  "vy",  "vz",  "bgx", "bgy",
     "bgz", "bax", "bay", "baz", "r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 
-/// Indices of the first of each kind in trajectory_column_names, and of a column that is passed over.
+/// The index of the first name of each kind in trajectory_column_names, and that of an ignored column.
 namespace column {
 inline constexpr std::size_t time = 0, position = 1, quaternion = 4, velocity = 8, gyro_bias = 11, accel_bias = 14,
                              matrix = 17, ignored = 26;
@@ -51,7 +51,7 @@ struct ColumnPlan {
     return more ? result + ",..." : result;
   }
 
-  /// Passes over what is there in part only, such as a velocity without vz.
+  /// Ignores vectors that are incomplete, such as a velocity without vz.
   void drop_incomplete_vectors() {
     for (const std::size_t first : {column::velocity, column::gyro_bias, column::accel_bias}) {
       if (has(first, 3)) continue;
@@ -61,7 +61,7 @@ struct ColumnPlan {
     }
   }
 
-  /// Gives the columns of the quaternion this order.
+  /// Puts the columns of the quaternion in this order.
   void set_order(QuaternionOrder order) {
     constexpr std::size_t x = column::quaternion, y = x + 1, z = x + 2, w = x + 3;
     const std::array<std::size_t, 4> wanted =
@@ -73,8 +73,8 @@ struct ColumnPlan {
   }
 };
 
-/// The columns of a list of names. Throws std::invalid_argument, in the name of the option --columns, for a name that
-/// is none or is there twice, and for a list without a pose.
+/// Parses a list of names. Throws std::invalid_argument, whose message names the option --columns, for an unknown or
+/// repeated name, for a list without a pose, and for an incomplete vector.
 [[nodiscard]] inline ColumnPlan parse_columns(std::string_view list) {
   constexpr std::string_view expected = "expected names such as t,x,y,z,qx,qy,qz,qw, and - for what is not wanted";
   ColumnPlan plan;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The beginning of a trajectory file, by which it is recognised.
+/// The beginning of a trajectory file, by which its format is recognised.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace splinertia::detail {
 
-/// A line of a file, kept.
+/// A copy of a line of a file.
 struct NumberedLine {
   std::size_t number;
   std::string text;
 };
 
-/// The fields of a row; an empty one at its end, which a separator leaves there, does not count.
+/// The fields of a row, without an empty one behind a trailing separator.
 [[nodiscard]] inline std::vector<std::string_view> row_fields(std::string_view line) {
   std::vector<std::string_view> fields;
   split_fields(line, fields);
@@ -38,7 +38,7 @@ struct NumberedLine {
   return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-/// The header and the first rows of a file. They are kept, since a pipe cannot be read twice.
+/// The header and the first rows of a file. Rows are stored, since a pipe cannot be read twice.
 class TrajectoryHead {
  public:
   static constexpr std::size_t most_rows = 100;
@@ -59,7 +59,7 @@ class TrajectoryHead {
     if (rows.empty()) file.fail("no rows, expected the poses of a trajectory");
     std::map<std::size_t, std::size_t> counts;
     for (const NumberedLine& row : rows) ++counts[row_fields(row.text).size()];
-    for (const auto& [count, number] : counts) {  // in doubt the larger: rows are cut off more often than added to
+    for (const auto& [count, number] : counts) {  // if tied, the larger: rows more often lose than gain columns
       if (columns == 0 || number >= counts[columns]) columns = count;
     }
     for (const NumberedLine& row : rows) {
@@ -76,7 +76,7 @@ class TrajectoryHead {
     return result;
   }
 
-  /// Whether most rows have a unit quaternion in four columns.
+  /// Whether most rows have a unit quaternion in the four columns from `first` on.
   [[nodiscard]] bool has_unit_quaternion(std::size_t first) const {
     std::size_t unit = 0;
     for (const auto& fields : typical_rows) {
@@ -96,10 +96,10 @@ class TrajectoryHead {
   bool commas = false, trailing_comma = false;              // of the first row
   std::optional<Header> header;                // the last line that names columns of poses, if there is one
   std::size_t header_line = 0;                 // where it stands
-  std::optional<NumberedLine> unclear_header;  // a line without numbers or # that names no poses
+  std::optional<NumberedLine> unclear_header;  // a line without # or numbers that does not name columns of poses
 
  private:
-  /// Whether no field is a number, nor begins as one, nor is one that is lost. Some may be empty.
+  /// Whether no field begins like a number, is NaN or is infinite. Some fields may be empty, but not all.
   [[nodiscard]] static bool has_no_number(std::string_view line) {
     const auto fields = row_fields(line);
     const auto is_empty = [](std::string_view field) { return field.empty(); };

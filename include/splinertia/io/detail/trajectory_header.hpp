@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The line of a trajectory file that names its columns, however it spells them.
+/// Reads the line of a trajectory file that names its columns, in many spellings.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct HeaderName {
   std::string name, unit;
 };
 
-/// Splits a header at its commas, or at its blanks if it has none. Names are made lower case, with _ for . / : - and
-/// blanks; a text in [] or () belongs to the name before it.
+/// Splits a header at its commas, or at its blanks if it has none. Names become lower case, with _ for . / : - and
+/// blanks. A text in [] or () is the unit of the name before it.
 [[nodiscard]] inline std::vector<HeaderName> split_header(std::string_view line) {
   while (!line.empty() && std::string_view("#%/ \t").find(line.front()) != std::string_view::npos)
     line.remove_prefix(1);
@@ -67,7 +67,7 @@ struct HeaderName {
   return std::nullopt;
 }
 
-/// Whether a name is that of the time. Its unit may be a part of it: timestamp_ns.
+/// Whether a name is that of the time. Sets `unit` if the name ends in one (timestamp_ns) or has one in brackets.
 [[nodiscard]] inline bool is_time_name(const HeaderName& column, std::optional<TimeUnit>& unit) {
   std::string_view name = column.name;
   if (const std::size_t last = name.rfind('_'); last != std::string_view::npos) {
@@ -81,7 +81,7 @@ struct HeaderName {
   return std::find(known.begin(), known.end(), name) != known.end() || name.ends_with("header_stamp");
 }
 
-/// The column that a name stands for, but for the time; column::ignored if it is none that is known.
+/// What a column with this name holds, the time excepted; column::ignored if the name is not known.
 [[nodiscard]] inline std::size_t place_of_name(std::string_view name) {
   if (name.empty()) return column::ignored;
   const std::size_t axis = std::string_view("xyzw").find(name.back());
@@ -133,7 +133,7 @@ struct Header {
                     [](std::string_view vector, const HeaderName& column) { return column.name == vector; });
 }
 
-/// Reads a line as names of columns. A message of ROS has two times, that of its header is taken.
+/// Reads a line as names of columns. A ROS message has two times; that of its header is used.
 [[nodiscard]] inline Header read_header(std::string_view line) {
   const std::vector<HeaderName> names = split_header(line);
   Header header;

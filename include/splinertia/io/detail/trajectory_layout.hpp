@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Decides how the rows of a trajectory file are read: by what the user says, by its header, or by its shape.
+/// Decides how the rows of a trajectory file are read: by the user's options, by its header, or by its shape.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -31,9 +31,13 @@ namespace splinertia::detail {
                        [kind](const KnownTrajectoryFormat& known) { return known.kind == kind; });
 }
 
-/// The unit of stamps: the one given, or that of the header, or that in which they count from 1970, or the usual one
-/// of their format, or seconds if they have decimals. The last three only if poses can have such a rate. Throws
-/// std::runtime_error that begins with `where` if none is left.
+/// The unit of stamps is the first of these that is known:
+///   1. the given one
+///   2. that named by the header
+///   3. that in which the stamps count from 1970, if the rate is plausible for poses
+///   4. the usual one of the format; if the stamps count from 1970, only if the rate is plausible
+///   5. seconds, if the stamps have decimals and neither count from 1970 nor have a usual unit
+/// Otherwise throws std::runtime_error, whose message begins with `where`.
 [[nodiscard]] inline TimeUnit choose_time_unit(const StampSample& stamps, std::optional<TimeUnit> given,
                                                std::optional<TimeUnit> named, std::optional<TimeUnit> usual,
                                                std::string_view where, std::vector<std::string>& notes) {
@@ -62,11 +66,11 @@ namespace splinertia::detail {
 struct TrajectoryLayout {
   ColumnPlan plan;
   TimeUnit unit = TimeUnit::nanoseconds;
-  bool unit_given = false;  // by the user: not to be doubted
+  bool unit_given = false;  // by the user: not checked against the rate
   std::vector<std::string> notes{};
 };
 
-/// Decides it for one file.
+/// Chooses the layout of one file.
 class LayoutChoice {
  public:
   LayoutChoice(const TextFile& file, const TrajectoryHead& head, const TrajectoryFormat& format)
@@ -98,7 +102,7 @@ class LayoutChoice {
     throw std::runtime_error(message(file_.path(), ':', head_.rows.front().number, ": ", what...));
   }
 
-  /// As many columns as planned; the plan may be shortened to this by rows that have less.
+  /// Throws std::runtime_error unless there are as many columns as planned, or more if the plan allows it.
   void require_columns(const std::string& title) const {
     const std::size_t planned = layout_.plan.places.size();
     if (head_.columns == planned || (layout_.plan.more && head_.columns > planned)) return;
@@ -129,7 +133,7 @@ class LayoutChoice {
     if (header.asl) usual_ = TimeUnit::nanoseconds;
   }
 
-  /// By shape: the number of columns, what stands between them, and where there are unit quaternions.
+  /// By shape: the number of columns, their separators, the stamps, and where there are unit quaternions.
   void recognize() {
     using Kind = TrajectoryFormat::Kind;
     if (head_.unclear_header) {
@@ -206,8 +210,8 @@ class LayoutChoice {
     }
   }
 
-  /// Of 8 columns: those with blanks and no stamps in ns are TUM's. With commas, or with ns, both orders are in use:
-  /// EuRoC, VINS: w first; rpg, ICE-BA: w last.
+  /// For 8 columns without names: with blanks, and stamps not in ns, it is a TUM trajectory. With commas or stamps in
+  /// ns both orders are in use: w first by EuRoC and VINS, w last by rpg and ICE-BA.
   void assume_order() {
     if (!order_unknown_) return;
     if (!head_.commas && layout_.unit != TimeUnit::nanoseconds) {
@@ -245,7 +249,7 @@ class LayoutChoice {
   const TrajectoryHead& head_;
   const TrajectoryFormat& format_;
   TrajectoryLayout layout_{};
-  std::optional<TimeUnit> named_{}, usual_{};  // by the header, by the format
+  std::optional<TimeUnit> named_{}, usual_{};  // of the header, of the format
   bool order_unknown_ = false;
 };
 

@@ -43,7 +43,7 @@ struct BadRow {
   std::string why;
 };
 
-/// The numbers of one row after the other.
+/// Parses one row after the other.
 class RowReader {
  public:
   explicit RowReader(const TrajectoryLayout& layout)
@@ -52,7 +52,7 @@ class RowReader {
     matrix_ = !plan_.has(column::quaternion, 4);
   }
 
-  /// Reads a row. Returns what is wrong with it, if anything is.
+  /// Reads a row. Returns a BadRow if something is wrong with it.
   [[nodiscard]] std::optional<BadRow> read(std::string_view line, std::size_t number) {
     if (!read_plain(line)) {
       if (auto bad = read_fields(line, number)) return bad;
@@ -70,7 +70,7 @@ class RowReader {
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-  /// Reads a row in one go if all in it is as it should be; whatever else is left to be read field by field.
+  /// Reads a well-formed row in one pass. Returns false for any other, which is then read field by field.
   [[nodiscard]] bool read_plain(std::string_view line) {
     const char* at = line.data();
     const char* const end = at + line.size();
@@ -170,7 +170,7 @@ class RowReader {
   ColumnPlan plan_;
   int places_;
   TimeUnit unit_;
-  std::int64_t factor_ = 1;  // ns in the unit
+  std::int64_t factor_ = 1;  // ns per unit
   bool matrix_ = false;
   std::array<double, trajectory_column_names.size()> values_{};
   std::chrono::nanoseconds time_{};

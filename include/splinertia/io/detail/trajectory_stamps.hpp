@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The stamps of a trajectory file: their unit, and which of them are wrong.
+/// The stamps of a trajectory file: whether their unit is plausible, and which of them are wrong.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace splinertia::detail {
 
 inline constexpr RateRange pose_rates{0.01, 20e3};
 
-/// Whether stamps with this typical step, in their unit, are those of poses. Unknown (0) is.
+/// Whether a typical step, in this unit, is plausible for poses. An unknown one (0) is.
 [[nodiscard]] inline bool is_plausible(double step, TimeUnit unit) { return is_plausible(step, unit, pose_rates); }
 
-/// A time in a unit, with the decimals that it has.
+/// A time as text in a unit, with as many decimals as needed.
 [[nodiscard]] inline std::string stamp_text(std::chrono::nanoseconds time, TimeUnit unit) {
   std::uint64_t factor = 1;
   for (int place = static_cast<int>(unit); place < 9; ++place) factor *= 10;
@@ -40,7 +40,7 @@ inline constexpr RateRange pose_rates{0.01, 20e3};
   return static_cast<std::uint64_t>(b.count()) - static_cast<std::uint64_t>(a.count());
 }
 
-/// Indices of the fewest stamps to leave out such that the rest increases. Earlier stamps are kept where either may be.
+/// The indices of the fewest stamps to leave out such that the rest increases. Of equal choices, earlier stamps stay.
 [[nodiscard]] inline std::vector<std::size_t> out_of_order(std::span<const std::chrono::nanoseconds> times) {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> ends, before(times.size(), none);  // of the best increasing choice of each length
@@ -68,9 +68,10 @@ inline constexpr RateRange pose_rates{0.01, 20e3};
   return {left_out.rbegin(), left_out.rend()};
 }
 
-/// How many stamps at the beginning and at the end of an increasing list are absurdly far from the rest: at most a
-/// hundredth of them (one in a short list) that a step of more than a minute, and of more than a thousand times the
-/// span of the rest, parts from it. Clocks that are not yet set write such stamps.
+/// How many stamps at the beginning and at the end of an increasing list are absurdly far from the rest. A step of more
+/// than a minute and of more than a thousand times the span of the rest separates them. At either end they are at most
+/// a hundredth of all, or one in a short list; lists of fewer than 5 have none. Clocks that are not yet set write such
+/// stamps.
 struct FarStamps {
   std::size_t first = 0, last = 0;
 

@@ -27,7 +27,7 @@
 
 namespace splinertia::detail {
 
-/// Collects the rows of one file, of which bad ones are counted and left out.
+/// Collects the good rows of one file, and counts the bad ones.
 class TrajectoryTable {
  public:
   TrajectoryTable(std::string path, TrajectoryLayout chosen) : layout(std::move(chosen)), path_(std::move(path)) {
@@ -44,7 +44,7 @@ class TrajectoryTable {
     if (has_accel_bias_) accel_biases.push_back(row.vector(column::accel_bias));
   }
 
-  /// Makes room for all rows, judged by the share of the file that these take.
+  /// Reserves memory for all rows, given that `rows` took the share `progress` of the file.
   void expect_rows(std::size_t rows, double progress) {
     if (poses.capacity() > poses.size() + 4096 || !(progress > 0)) return;
     const auto expected = static_cast<std::size_t>(1.02 * static_cast<double>(rows) / progress);
@@ -65,7 +65,7 @@ class TrajectoryTable {
 
   [[nodiscard]] std::size_t bad_rows() const { return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0}); }
 
-  /// Takes out the rows whose stamps are wrong.
+  /// Moves the rows with wrong stamps to the bad ones.
   void remove_wrong_stamps() {
     const auto follows = [](const auto& a, const auto& b) { return !(a.time < b.time); };
     if (std::adjacent_find(poses.begin(), poses.end(), follows) != poses.end()) remove_out_of_order();
@@ -97,8 +97,8 @@ class TrajectoryTable {
                    first_bad_.front().line, ": ", first_bad_.front().why);
   }
 
-  /// Throws std::runtime_error if the poses span more than integers can count, or if a step or the rate is none that
-  /// poses can have.
+  /// Throws std::runtime_error if the poses span more than 64-bit nanoseconds hold, if a step is longer than ten years,
+  /// or if the rate is not plausible for poses and the unit is not given by the user.
   void require_sane_times() const {
     if (poses.size() < 2) return;
     const auto text = [&](std::size_t i) { return message(stamp_text(poses[i].time, layout.unit), unit_text()); };
@@ -203,7 +203,7 @@ class TrajectoryTable {
   bool has_velocity_ = false, has_gyro_bias_ = false, has_accel_bias_ = false;
   QuaternionTrack track_;
   std::array<std::size_t, row_fault_names.size()> counts_{};
-  std::vector<BadRow> first_bad_;  // by line
+  std::vector<BadRow> first_bad_;  // in order of lines
 };
 
 }  // namespace splinertia::detail

@@ -10,14 +10,15 @@
 
 namespace splinertia {
 
-/// What std::uniform_random_bit_generator asks for, without the weight of <random>.
+/// The requirements of std::uniform_random_bit_generator, without including <random>.
 template <typename G>
 concept BitGenerator = std::move_constructible<G> && std::unsigned_integral<std::invoke_result_t<G&>> &&
                        requires { requires(G::min)() < (G::max)(); };
 
-/// 64 random bits at a time from any uniform random bit generator that can be moved and seeded: with the key itself if
-/// it takes one, else with the key's hash, as the engines of <random> are (those with 32-bit seeds use half of it).
-/// Bits of generators with fewer than 64 are put together; values beyond a power of two are drawn again.
+/// 64 random bits at a time, from any uniform random bit generator that can be moved and seeded. The seed is the key
+/// itself if the generator takes one. Else it is the key's hash, as for the engines of <random> (those with 32-bit
+/// seeds use half of it). The bits of narrower generators are concatenated; values beyond the largest power of two in
+/// their range are drawn again.
 template <BitGenerator Generator = Xoshiro256>
 class RandomBits {
  public:

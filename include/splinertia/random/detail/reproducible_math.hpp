@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Elementary functions in double as fixed sequences of operations: the same to the last bit with every compiler, at
-/// every optimisation level, with and without contraction, which the ones of <cmath> are not. Relative errors are a few
-/// eps. What draws random numbers or puts errors into samples uses these: random numbers are the same everywhere,
-/// samples wherever the compiler does not contract the terms' own products and sums (-ffp-contract=off, or no FMA).
+/// Elementary functions in double as fixed sequences of operations. Unlike those of <cmath>, they give the same result
+/// to the last bit with every compiler, at every optimisation level, with and without contraction. Relative errors are
+/// a few eps. Random numbers and error terms use these functions. Random numbers are therefore the same everywhere;
+/// samples are the same wherever the compiler does not contract the terms' own products and sums (-ffp-contract=off, or
+/// no FMA).
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -16,7 +17,7 @@
 
 namespace splinertia {
 
-/// a·b + c, rounded once at run time whatever the compiler is told about contraction. While compiling it rounds twice.
+/// a·b + c, rounded once at run time, whatever the compiler may contract. In constant expressions it is rounded twice.
 [[nodiscard]] constexpr double multiply_add(double a, double b, double c) {
   return std::is_constant_evaluated() ? a * b + c : std::fma(a, b, c);
 }
@@ -54,10 +55,10 @@ struct ReducedExponent {
 
  private:
   static constexpr double ln2 = 0.693147180559945309417;
-  static constexpr double rest_of_ln2 = 2.319046813846299558e-17;  // what rounding took from it
+  static constexpr double rest_of_ln2 = 2.319046813846299558e-17;  // ln 2 minus its rounded value
 };
 
-/// exp(x) for x <= 0. Below −708, where the result is denormal, it is 0.
+/// exp(x) for x <= 0. It is 0 below −708, where results become denormal.
 [[nodiscard]] constexpr double reproducible_exp(double x) {
   if (x < -708) return 0;
   const ReducedExponent exponent(x);
@@ -80,8 +81,8 @@ struct SineCosine {
   double sine, cosine;
 };
 
-/// sin(2πx) and cos(2πx) for finite x, absolute error a few eps beyond that of x itself: whole turns are taken off
-/// exactly.
+/// sin(2πx) and cos(2πx) for finite x. The absolute error is a few eps beyond that of x itself: whole turns are
+/// subtracted without error.
 [[nodiscard]] constexpr SineCosine reproducible_sine_cosine(double turns) {
   constexpr double two_pi = 6.28318530717958647693;
   double fraction = turns;  // beyond 2⁵² turns every double is a whole number
@@ -111,11 +112,11 @@ struct SineCosine {
   }
 }
 
-/// Whether Scalar's functions are computed by the above, in double.
+/// Whether functions of this Scalar are computed by those above, in double.
 template <typename Scalar>
 inline constexpr bool is_reproducible = std::same_as<Scalar, double> || std::same_as<Scalar, float>;
 
-/// e^−x, for x >= 0: what is left of something that decays, x time constants later.
+/// exp(−x) for x >= 0.
 template <typename Scalar>
 [[nodiscard]] Scalar exponential_decay(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {
@@ -126,7 +127,7 @@ template <typename Scalar>
   }
 }
 
-/// 1 − e^−x, for x >= 0, to full relative accuracy.
+/// −expm1(−x) = 1 − exp(−x) for x >= 0, to full relative accuracy.
 template <typename Scalar>
 [[nodiscard]] Scalar exponential_rise(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Evaluating a curve at many times, several at once: evaluate_increments() with a scalar of many lanes. It is the same
-/// code as that of a single time, on the same numbers in the same order, so that results are the same to the bit where
-/// products and sums are rounded one by one; where the compiler fuses them (FMA) it may choose others to fuse.
+/// Evaluates a curve at several times at once: evaluate_increments() with a SIMD pack as its scalar (Lanes, one time
+/// per lane). The code and the order of its operations are those for a single time, so the results are bitwise equal if
+/// every product and sum is rounded. With FMA the compiler may fuse different operations.
 ///
-/// The samples of a segment share its control points and increments, so that what depends on these alone is computed
-/// once. Nothing branches on a lane: rotations within a segment are within π, where the coefficients are polynomials
+/// The samples of a segment share its control points and increments, so what depends only on these is computed once.
+/// Nothing branches on a lane: rotations within a segment are at most π, where the coefficients are polynomials
 /// (group/detail/stumpff.hpp).
 #pragma once
 
@@ -19,8 +19,8 @@
 
 namespace splinertia {
 
-/// Curves that can be evaluated at several times at once: splines in float or double, of times that double holds, on a
-/// group that works on lanes, with knots that know their segments.
+/// A curve that can be evaluated at several times at once: a spline in float or double over double or integer time, on
+/// a group that supports SIMD packs, with knots that have segment().
 template <typename C>
 concept LaneCurve = (std::same_as<typename C::Scalar, float> || std::same_as<typename C::Scalar, double>) &&
                     (std::same_as<typename C::Time, double> || !std::floating_point<typename C::Time>) &&
@@ -29,7 +29,7 @@ concept LaneCurve = (std::same_as<typename C::Scalar, float> || std::same_as<typ
                       curve.knots().segment(curve.start(), std::size_t{}, C::order);
                     };
 
-/// A segment of a curve in the form that its samples share: all in lanes.
+/// One segment of a curve, with the data that its samples share broadcast to SIMD packs.
 template <LaneCurve C>
 class LaneSegment {
  public:
@@ -44,7 +44,7 @@ class LaneSegment {
     }
   }
 
-  /// The motion at the samples from i on, as many as lanes, whatever is behind the end of the segment included.
+  /// The motion at samples i, i + 1, …, one per lane. Samples after the end of the segment are extrapolated.
   template <int D>
   [[nodiscard]] Motion<G, D> evaluate(const auto& times, std::size_t i) const {
     return evaluate_increments<D>(
@@ -55,7 +55,7 @@ class LaneSegment {
  private:
   using TimeLanes = Lanes<double, L::size, vector_bytes>;
 
-  // As knots take them: seconds, or ticks since the beginning of the segment.
+  // In the form that the knots take: seconds, or ticks since the beginning of the segment.
   [[nodiscard]] TimeLanes lane_times(const auto& times, std::size_t i) const {
     if constexpr (requires { times.template lanes<TimeLanes>(i); }) {
       return times.template lanes<TimeLanes>(i);
@@ -77,10 +77,10 @@ class LaneSegment {
   typename std::remove_cvref_t<decltype(std::declval<const C&>().knots())>::template Segment<C::order> knots_;
 };
 
-/// Calls write(i, motion) for samples first … first + count − 1 at times(first), …, in ascending order, with the motion
-/// of samples i, i + 1, … in its lanes. The lanes behind the last sample of a segment hold no samples: what was written
-/// of them is written again, or is behind the last sample of all. Requires all times on the curve, in ascending order;
-/// the last may be behind its end by rounding.
+/// Calls write(i, motion) in ascending order of i to cover samples first … first + count − 1 at times(first), …. The
+/// lanes of `motion` are samples i, i + 1, …. Lanes after the last sample of a segment are invalid: a later call
+/// overwrites them, or they are after the last sample of all. Requires all times on the curve, in ascending order; the
+/// last may exceed its end by rounding.
 template <int D, LaneCurve C>
 inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first, std::size_t count, const auto& write) {
   constexpr std::size_t lanes = LaneSegment<C>::L::size;
@@ -96,12 +96,12 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
       const double intervals = times.intervals(curve.knots().knot(s + 1, C::order) - times(i));
       if (intervals < static_cast<double>(end - i)) segment_end = i + 1 + static_cast<std::size_t>(intervals);
       segment_end = std::clamp(segment_end, i + 1, end);
-      // The estimate is off by one at most; what belongs to a segment is for the knots to say.
+      // The estimate is off by at most one. The knots decide which samples belong to the segment.
       while (segment_end > i + 1 && segment_of(segment_end - 1) != s) --segment_end;
       while (segment_end < end && segment_of(segment_end) == s) ++segment_end;
     }
     call_flattened([&] {
-      // Copies, that nothing written can change: what depends on these alone is computed before the loop.
+      // Copies, which write() cannot modify: so the compiler moves what depends only on them out of the loop.
       const LaneSegment<C> segment(curve, s);
       const auto at = times;
       const auto to = write;
@@ -113,7 +113,7 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
   }
 }
 
-/// The same for any curve: one by one where several at once cannot be.
+/// evaluate_lanes() for any curve. Curves that are not LaneCurves are evaluated at one time after the other.
 template <int D, typename C>
 inline void for_each_sample(const C& curve, const auto& times, std::size_t first, std::size_t count,
                             const auto& write) {

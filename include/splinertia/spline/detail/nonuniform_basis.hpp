@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// The cumulative basis of any knots, from the 2k − 2 of them around a time, by the recursion of De Boor and Cox.
+/// The cumulative basis of arbitrary knots from the 2k − 2 knots around a time, by the De Boor–Cox recursion.
 ///
 ///   B_{j,1} = 1 on [τ_j, τ_{j+1}),  Q_{j,m} = B_{j,m} / (τ_{j+m} − τ_j)
 ///   B_{j,m+1} = (t − τ_j) Q_{j,m} + (τ_{j+m+1} − t) Q_{j+1,m}
 ///
-/// On the span of t every term is positive, so that nothing cancels however unequal the spans are, and every support
-/// [τ_j, τ_{j+m}] holds the span, so that no divisor is zero wherever knots coincide. The derivatives of the cumulative
-/// basis come without a sum, those of B from one order below:
+/// On the span of t every term is positive, so nothing cancels however unequal the spans are. Every support
+/// [τ_j, τ_{j+m}] contains the span, so no divisor is zero where knots coincide. The derivatives of the cumulative
+/// basis need no sum, and those of Q come from one order below:
 ///
 ///   λ_j' = Σ_{l ≥ j} B_l' = (k − 1) Q_{j,k−1},  Q_{j,m}' = (m − 1) (Q_{j,m−1} − Q_{j+1,m−1}) / (τ_{j+m} − τ_j)
 ///
@@ -28,7 +28,7 @@
 
 namespace splinertia {
 
-/// Of units_between().
+/// The units of units_between() per second: 1, or the ticks per second of an integer Time.
 template <typename Real, TimePoint Time>
 [[nodiscard]] constexpr Real units_per_second() {
   if constexpr (std::floating_point<Time>) {
@@ -38,11 +38,13 @@ template <typename Real, TimePoint Time>
   }
 }
 
-/// The basis from the knots τ_{i−k+2} … τ_{i+k−1} (k: Order) around the span τ_i < τ_{i+1}, in ascending order, and the
-/// times from the k − 1 knots on the left to t, `before`, and from t to those on the right, `behind`, in the units of
-/// units_between(): each a number, or Lanes of them for several t in the span. The largest error found is 4 eps for the
-/// cubic and 6 eps for order 8: of 1 for values, of the largest for first derivatives, of the largest sum of its terms
-/// for the second and third, which are differences.
+/// The basis on the span τ_i < τ_{i+1} from the ascending knots τ_{i−k+2} … τ_{i+k−1} (k: Order). `before` holds the
+/// times from the k − 1 knots on the left to t, `behind` those from t to the knots on the right, in the units of
+/// units_between(). Each is a number, or a SIMD pack for several t in the span.
+///
+/// The largest error found is 4 eps for the cubic and 6 eps for order 8: relative to 1 for values, to the largest first
+/// derivative, and for second and third derivatives, which are differences, to the largest sum of their terms'
+/// magnitudes.
 template <int Order, int D, typename Scalar, typename U, TimePoint Time>
 [[nodiscard]] inline CumulativeBasis<Scalar, Order, D> nonuniform_basis(
     std::span<const Time, static_cast<std::size_t>(2 * Order - 2)> knots,
@@ -53,8 +55,8 @@ template <int Order, int D, typename Scalar, typename U, TimePoint Time>
   assert(knots[k - 2] < knots[k - 1]);
   const Real rate = units_per_second<Real, Time>();
 
-  // Of order m, those of the m functions that are not zero on the span: B_{i−m+1+p,m}, p = 0 … m − 1, and derivative d
-  // of its Q in q[d][p]. Each order takes the place of the one below.
+  // B[p] = B_{i−m+1+p,m}, p = 0 … m − 1: the m functions of order m that are not zero on the span. q[d][p] is
+  // derivative d of its Q. Each order overwrites the one below.
   std::array<U, k> B{U(Real(1))};
   FixedArray<FixedArray<U, k - 1>, (D > 1 ? D : 1)> q{};
   const auto order = [&]<std::size_t m>() {
@@ -64,7 +66,7 @@ template <int Order, int D, typename Scalar, typename U, TimePoint Time>
     }
     const Real factor = static_cast<Real>(m - 1) * rate;
     for (std::size_t d = D; d-- > 1;) {
-      if (d >= m || d + (k - 1 - m) >= static_cast<std::size_t>(D)) continue;  // zero, or of no use above
+      if (d >= m || d + (k - 1 - m) >= static_cast<std::size_t>(D)) continue;  // zero, or not needed above
       for (std::size_t p = 0; p < m; ++p) {
         const U left = p > 0 ? q[d - 1][p - 1] : U(Real(0));
         const U right = p + 1 < m ? q[d - 1][p] : U(Real(0));
@@ -90,7 +92,7 @@ template <int Order, int D, typename Scalar, typename U, TimePoint Time>
   return basis;
 }
 
-/// The basis at t from the knots around its span τ_i <= t <= τ_{i+1}, which is not empty.
+/// The basis at t from the knots around its non-empty span, τ_i <= t <= τ_{i+1}.
 template <int Order, int D, typename Scalar, TimePoint Time>
 [[nodiscard]] inline CumulativeBasis<Scalar, Order, D> nonuniform_basis(
     std::span<const Time, static_cast<std::size_t>(2 * Order - 2)> knots, Time t) {

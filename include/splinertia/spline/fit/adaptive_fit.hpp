@@ -12,11 +12,13 @@
 
 namespace splinertia {
 
-/// fit() with knots that follow the motion: where the RMS of a component of the residuals within a span exceeds `goal`
-/// by more than chance (three standard deviations of that RMS), the span is halved, until none does or has fewer than
-/// four poses. Needs NonUniformKnots; the knots are fit.spline.knots(). Of the options, knots or knot_interval is where
-/// it starts (by default, a segment for every 256 poses); with a robust loss, outliers have no weight (search_options).
-/// Throws std::invalid_argument for a goal that is not finite and positive, or as fit() does.
+/// fit() with knots that follow the motion. A span is split at its middle pose if in some component the mean square of
+/// its residuals exceeds that of `goal`, an RMS, by more than chance (three standard deviations of the mean square).
+/// This goes on until no span of four or more poses does, or a further split would give more control points than poses.
+///
+/// Needs NonUniformKnots; the knots are fit.spline.knots(). The options knots or knot_interval give the start (by
+/// default, one segment per 256 poses). With a robust loss, outliers have no weight (search_options). Throws
+/// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
 template <typename Curve, StampedPoses Poses>
   requires std::same_as<KnotsOf<Curve>, NonUniformKnots<typename Curve::Time>>
 [[nodiscard]] Fit<Curve> adaptive_fit(const Poses& poses, const Tangent<typename Curve::Group>& goal,
@@ -54,8 +56,8 @@ template <typename Curve, StampedPoses Poses>
       }
       finer.push_back(*knot);
     }
-    // A span that is halved keeps two poses on either side, which is still too few for the control points in all where
-    // there are hardly more of them than the order.
+    // A split span has at least two poses on either side. Even so, there may be fewer poses than control points if
+    // there are hardly more poses than the order.
     const bool same = finer.size() + static_cast<std::size_t>(k) - 1 == knots.size();
     if (same || finer.size() - 1 > data.size()) return result;
     finer.insert(finer.end(), knots.end() - k + 1, knots.end());

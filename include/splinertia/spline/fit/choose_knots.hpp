@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How far apart knots should be: as far as a goal for the residuals allows, or as cross-validation finds best.
+/// Chooses a knot interval: the longest that meets a goal for the residuals, or the best by cross-validation.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace splinertia {
 
-/// Throws std::invalid_argument, naming whose goal it is, unless every component is finite and positive.
+/// Throws std::invalid_argument, naming the caller, `whose`, unless every component is finite and positive.
 template <LieGroup G>
 void check_goal(const char* whose, const Tangent<G>& goal) {
   for (int i = 0; i < goal.size(); ++i) {
@@ -26,11 +26,11 @@ void check_goal(const char* whose, const Tangent<G>& goal) {
   }
 }
 
-/// The options for the many fits of a search. Most are with knots too far apart, which neither shows what an outlier is
-/// nor is mended by iterations. So where the loss is robust, outliers are those of a fit with a segment for every four
-/// poses, further off than outlier_limit times the goal (or the standard deviation, where there is none); they get the
-/// weight 0, and the rest is a matter of squares. Poses of which most are further off are none with outliers; they miss
-/// the goal, and all keep their weight.
+/// The options for the many fits of a search. Most of these fits have knots too far apart. They do not show which poses
+/// are outliers, and iterations do not improve them: each gets at most 10. So with a robust loss a single fit, with a
+/// segment for every four poses, finds the outliers: they deviate by more than outlier_limit times the goal (or the
+/// standard deviation, if there is no goal). They get weight 0, and all further fits are least squares. If half of the
+/// poses or more exceed the limit, they are not outliers: the fit has missed its goal, and all keep their weight.
 template <typename Curve>
 [[nodiscard]] FitOptions<Curve> search_options(FitOptions<Curve> options, const PosesOf<Curve>& data,
                                                const std::optional<Tangent<typename Curve::Group>>& goal) {
@@ -54,12 +54,11 @@ template <typename Curve>
   return options;
 }
 
-/// The longest knot interval, to a twentieth, with which fit() brings the RMS of every component of the residuals down
-/// to `goal` (rad and m for SO3xR3; with a robust loss, of the poses that are no outliers, see search_options). It
-/// halves the interval, from one segment for a thousand poses on, until that holds, and then searches between the last
-/// two.
+/// The longest knot interval, to a twentieth, for which fit() brings the RMS of every component of the residuals down
+/// to `goal` (rad and m for SO3xR3). With a robust loss, outliers are excluded (search_options). The search halves the
+/// interval, from one segment per thousand poses on, until the goal is met. Then it bisects between the last two.
 ///
-/// Throws std::runtime_error if no interval does that has at least as many poses as control points, and
+/// Throws std::runtime_error if no interval that gives at most as many control points as poses meets the goal, and
 /// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
 template <typename Curve, StampedPoses Poses>
 [[nodiscard]] double coarsest_knot_interval(const Poses& poses, const Tangent<typename Curve::Group>& goal,
@@ -76,7 +75,7 @@ template <typename Curve, StampedPoses Poses>
     reached = fit<Curve>(data, options).residuals.component_rms;
     return (reached.array() <= goal.array()).all();
   };
-  // Of fewer poses than control points of one segment, fit() says so.
+  // With fewer poses than control points of one segment, only one segment is tried.
   const std::size_t most = data.size() < Curve::order ? 1 : data.size() - Curve::order + 1;
   std::size_t too_few = 0, enough = std::max<std::size_t>(1, data.size() / 1000);
   while (enough <= most && !good(enough)) {
@@ -95,22 +94,24 @@ template <typename Curve, StampedPoses Poses>
   return interval_of(enough);
 }
 
-/// What cross-validation found.
+/// The error of one knot interval in cross-validation.
 struct KnotIntervalError {
   double knot_interval;  ///< s
   double error;          ///< of the poses left out: geometric mean of the RMS of the components
 };
+/// The result of cross_validated_knot_interval().
 struct CrossValidation {
-  double knot_interval;  ///< s: the longest that is nearly as good as the best
+  double knot_interval;  ///< s: the longest whose error is within the tolerance of the least
   std::vector<KnotIntervalError> tried;
 };
 
-/// The knot interval that predicts poses best that it was not fitted to: every fourth is left out, and then those in
-/// the middle between. Of the intervals within `tolerance` of the least error it takes the longest. From one interval
-/// to the next it goes down by the root of two, from a segment for 512 poses on, until the error has risen twice.
+/// The knot interval that best predicts poses that are left out of the fit. Each interval is fitted twice: without
+/// every fourth pose, and without the poses halfway between those. The intervals decrease by the root of two, from one
+/// segment per 512 poses on, until the error exceeds the least by more than `tolerance` (relative) twice in a row. The
+/// result is the longest interval whose error is within `tolerance` of the least.
 ///
-/// It asks that the noise of neighbouring poses is independent: of a trajectory that an estimator has smoothed, the
-/// finest interval is always the best. Throws as fit() does.
+/// Requires independent noise of neighbouring poses: for a trajectory that an estimator has smoothed, the finest
+/// interval is always the best. Throws as fit() does.
 template <typename Curve, StampedPoses Poses>
 [[nodiscard]] CrossValidation cross_validated_knot_interval(const Poses& poses, FitOptions<Curve> options = {},
                                                             double tolerance = 0.02) {
@@ -122,7 +123,7 @@ template <typename Curve, StampedPoses Poses>
   const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
   const double span = to_seconds<double>(data.back().time - data.front().time);
 
-  // A component that never moves has no error but rounding, which says nothing about an interval.
+  // A component that never moves has only rounding errors, which say nothing about an interval.
   Scalar size(1);
   for (const auto& pose : data) {
     size = (std::max)(size, Scalar(GroupTraits<typename Curve::Group>::log(pose.value).cwiseAbs().maxCoeff()));
@@ -135,7 +136,7 @@ template <typename Curve, StampedPoses Poses>
     std::size_t count = 0;
     for (const std::size_t first : {std::size_t(1), std::size_t(3)}) {
       options.weights = given;
-      // The ends stay, or the curve would be predicted beyond its data.
+      // The ends are never left out, because the curve would have to be extrapolated there.
       for (std::size_t i = first; i + 1 < data.size(); i += every) options.weights[i] = Scalar(0);
       const Fit<Curve> result = fit<Curve>(data, options);
       for (std::size_t i = first; i + 1 < data.size(); i += every) {

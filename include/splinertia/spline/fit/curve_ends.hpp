@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What a spline through given points does at its ends, where the points leave it Order − 2 freedoms.
+/// End conditions of a spline through given points. They fix the Order − 2 degrees of freedom that the points leave.
 #pragma once
 
 #include <array>
@@ -16,25 +16,26 @@
 namespace splinertia {
 
 enum class EndCondition {
-  /// The acceleration is zero (of order 6 and 8: derivatives Order/2 … Order − 2).
+  /// The acceleration is zero (orders 6 and 8: derivatives Order/2 … Order − 2 are zero).
   natural,
-  /// The velocity is given (of order 6 and 8: derivatives 2 … Order/2 − 1 are zero).
+  /// The velocity is given (orders 6 and 8: derivatives 2 … Order/2 − 1 are also zero).
   clamped,
-  /// The first two and the last two segments (Order/2 each) are of one polynomial: nothing is assumed.
+  /// The first two segments are one polynomial, and so are the last two (orders 6 and 8: Order/2 each). No derivative
+  /// is prescribed.
   not_a_knot,
 };
 
 template <LieGroup G>
 struct CurveEnds {
   EndCondition condition = EndCondition::natural;
-  /// At clamped ends, in the body frame (rad/s and, for SO3xR3, m/s in the world); by default at rest.
+  /// Velocity at clamped ends, in the body frame: rad/s and, for SO3xR3, m/s in the world frame. By default zero.
   Tangent<G> start_velocity = Tangent<G>::Zero();
   Tangent<G> end_velocity = Tangent<G>::Zero();
 };
 
-/// End conditions as squares to minimise. Velocity and acceleration are those of the curve; a higher derivative is
-/// Σ λ_j⁽ᵐ⁾ d_j, that of the increments as if they commuted, and not-a-knot a difference of them. Each is brought to
-/// the unit of an increment by the length of the segment.
+/// End conditions as a least-squares cost. Velocity and acceleration are those of the curve. A higher derivative is
+/// Σ λ_j⁽ᵐ⁾ d_j, as if the increments commuted; not-a-knot is a difference of increments. Each is scaled by the length
+/// of the segment to the unit of an increment.
 template <typename Curve>
 class EndTerm {
  public:
@@ -55,7 +56,7 @@ class EndTerm {
         }
       }
     } else if constexpr (requires { curve.knots().interval; }) {
-      // The highest derivative, an Order-th difference of the control points, goes on through the knot.
+      // The highest derivative is continuous at the knot: the Order-th difference of the control points is zero.
       Combination c;
       for (int j = 0; j < order; ++j) {
         c.coefficient[static_cast<std::size_t>(j)] =
@@ -92,7 +93,8 @@ class EndTerm {
     return to_seconds<Scalar>(curve.knots().knot(s + 1, order) - curve.knots().knot(s, order));
   }
 
-  /// The m-th derivative of λ_j, m > 2, at an end: of the polynomial through the second ones at the nodes of a segment.
+  /// Adds the m-th derivative, m > 2, at an end. That of λ_j is the derivative of the polynomial through its second
+  /// derivatives at the nodes of a segment.
   void combine_derivative(const Curve& curve, int m, bool at_start) {
     constexpr std::size_t nodes = order - 2;
     static const Quadrature<Scalar, nodes> quadrature;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Least squares on the manifold: the spline that lies nearest to stamped poses.
+/// Fits a spline to stamped poses by least squares on the manifold.
 #pragma once
 
 #include <algorithm>
@@ -19,16 +19,17 @@ namespace splinertia {
 ///   auto fit = splinertia::fit<Curve>(poses, {.knot_interval = 0.05});
 ///   fit.spline;  fit.residuals.rms;  fit.outliers;  fit.gaps;
 ///
-/// It minimises Σ loss(weight · |log(pose⁻¹ · curve)/standard_deviation|²) + smoothness over the control points, from
-/// the poses at their times on, by damped Gauss–Newton steps on the group. Rⁿ with squares takes one; a second shows
-/// that. Memory and time are linear in the number of poses.
+/// It minimises Σ loss(weight · |log(pose⁻¹ · curve)/standard_deviation|²) + smoothness over the control points by
+/// damped Gauss–Newton steps on the group. It starts with the poses interpolated at the times of the control points. On
+/// Rⁿ with squares one step is enough; a second confirms it. Memory and time are linear in the number of poses.
 ///
-/// `poses` is any range of Stamped: of the curve's group, or of SO3xR3 for SE3 and the other way round; of its time, or
-/// nanoseconds for seconds and the other way round. The sign of a quaternion does not matter.
+/// `poses` is any random-access range of Stamped. Their group is that of the curve, or SO3xR3 for SE3 and vice versa.
+/// Their time is that of the curve, or nanoseconds for seconds and vice versa. The sign of a quaternion does not
+/// matter.
 ///
-/// Throws std::invalid_argument for fewer than two poses, poses that are not finite, not on their group, or not in
-/// ascending order of time; and options that make no sense. Where there are too few poses, Fit::gaps and
-/// Fit::held_control_points say so.
+/// Throws std::invalid_argument for fewer than two poses, for poses that are not finite, not on their group, or not in
+/// ascending order of time, and for invalid options. Fit::gaps and Fit::held_control_points show where poses are too
+/// few.
 template <typename Curve, StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] Fit<Curve> fit(const Poses& poses, const FitOptions<Curve>& options = {}) {
@@ -40,8 +41,8 @@ template <typename Curve, StampedPoses Poses>
   };
   Fit<Curve> result = fit_once(options);
   if (!result.knot_choice) return result;
-  // The choice is made before the curve is known. Where the curve then turns too far from one control point to the
-  // next, or leaves out more poses than chance does, knots nearer together are tried.
+  // The interval is chosen before the curve is known. If the curve then turns too far from one control point to the
+  // next, or has more outliers than chance explains, shorter intervals are tried.
   const auto turns_too_far = [](const Fit<Curve>& fit) {
     const auto& increments = fit.spline.increments();
     return std::any_of(increments.begin(), increments.end(), [](const auto& d) {
@@ -51,7 +52,7 @@ template <typename Curve, StampedPoses Poses>
   const auto outliers = [](const Fit<Curve>& fit) { return fit.outliers.size(); };
   const std::size_t few = std::ranges::size(poses) / 50;
   for (int tries = 0; tries < 4; ++tries) {
-    // An outlier may turn control points as far where no pose turns so fast.
+    // An outlier may also turn control points too far, although no pose turns that fast.
     const bool fast = 2 * result.knot_choice->interval > result.knot_choice->unambiguous;
     const bool turns = fast && turns_too_far(result);
     if (!turns && (outliers(result) <= few || result.knot_choice->limit == KnotLimit::poses)) break;

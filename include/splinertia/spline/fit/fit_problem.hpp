@@ -26,7 +26,7 @@
 
 namespace splinertia {
 
-/// What fit() does, step by step. A problem that holds the same curve by other data as well goes on from here.
+/// The steps of fit(). A problem that adds other measurements of the same curve continues from here.
 template <typename Curve>
   requires LieGroupWithJacobians<typename Curve::Group>
 class FitProblem {
@@ -34,8 +34,8 @@ class FitProblem {
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
 
-  /// Checks everything, chooses knots, and starts from the poses at their times. Throws std::invalid_argument as fit()
-  /// says.
+  /// Checks poses and options, chooses knots, and makes the first curve from the poses. Throws std::invalid_argument as
+  /// fit() does.
   template <StampedPoses Poses>
   FitProblem(const Poses& poses, FitOptions<Curve> options)
       : options_(std::move(options)), data_(fit_data<Curve>(poses, "fit")), fit_{first_curve()} {
@@ -59,8 +59,8 @@ class FitProblem {
     taken_share_ = (std::min)(taken_share_, Scalar(1));
   }
 
-  /// The spline nearest to the poses: of a robust loss without a given deviation in rounds, since what is an outlier
-  /// depends on the deviation, and this on what is not.
+  /// Finds the spline nearest to the poses. If a robust loss has no given standard deviation, this takes several
+  /// rounds: the deviation decides which poses are outliers, and is estimated from the others.
   void solve() {
     constexpr Scalar rough = Scalar(1) / Scalar(1000), epsilon = std::numeric_limits<Scalar>::epsilon();
     System system(fit_.spline.control_points().size());
@@ -82,7 +82,7 @@ class FitProblem {
     fit_.standard_deviation = options_.standard_deviation.value_or(Tangent<G>::Ones());
     noise_ = options_.standard_deviation.value_or(deviation_of_residuals());
     if (!options_.standard_deviation && !(squares && priorless())) {
-      // A step or two of squares show the noise to a factor of two, which is what the prior asks for.
+      // One or two least-squares steps give the noise to a factor of two, which is enough for the prior.
       const int steps = squares ? 1 : 5;
       minimize_with(RobustLoss::squares(), rough, steps);
       for (int round = 0; round < 10; ++round) {
@@ -98,10 +98,10 @@ class FitProblem {
     } else if (!priorless()) {
       minimize_with(options_.loss, rough, squares ? 1 : 5);
     }
-    // Squares converge quadratically or nearly; weights that are found anew in each step do so linearly, and what is
-    // left of them moves nothing.
+    // Least squares converge quadratically or nearly so. Reweighted squares converge linearly, and what remains below
+    // this tolerance is negligible.
     minimize_with(options_.loss, options_.loss.is_squares() ? Scalar(1e-12f) : Scalar(1e-6f), options_.most_iterations);
-    // The last step may have been damped, or there was none.
+    // Once more without damping: the last step may have been damped, or there was none.
     fit_.condition = factor.compute(system, Scalar(0)) ? condition_estimate(system, factor)
                                                        : std::numeric_limits<Scalar>::infinity();
     if (!options_.standard_deviation) fit_.standard_deviation = deviation_of_residuals();
@@ -109,13 +109,13 @@ class FitProblem {
 
   [[nodiscard]] const Curve& curve() const { return fit_.spline; }
   [[nodiscard]] const std::vector<FitGap<typename Curve::Time>>& gaps() const { return fit_.gaps; }
-  /// Refers to the poses that are kept here.
+  /// The cost of the poses. Refers to members of this object.
   [[nodiscard]] PoseTerm<Curve> pose_term(const RobustLoss& loss) const& {
     return {data_, options_.weights, fit_.standard_deviation, loss};
   }
   PoseTerm<Curve> pose_term(const RobustLoss& loss) && = delete;
-  /// What holds the curve where neither the poses do nor other measurements, at the ascending times `others`; as the
-  /// present curve says.
+  /// The prior where neither the poses nor other measurements, at the ascending times `others`, determine the curve,
+  /// estimated from the present curve. If the options give `smoothness`, that prior over the whole curve.
   [[nodiscard]] SmoothnessTerms<Curve> smoothness_terms(const std::vector<typename Curve::Time>& others = {}) const {
     const Curve& curve = fit_.spline;
     if (options_.smoothness) {
@@ -126,7 +126,7 @@ class FitProblem {
         .terms(options_.hold_ends);
   }
 
-  /// The report on `curve`, whether solve() has found it or another did from there on.
+  /// The result of fit() for `curve`, which solve() or a later optimisation has found.
   [[nodiscard]] Fit<Curve> report(Curve curve) && {
     fit_.spline = std::move(curve);
     fit_.residuals = residuals_of(data_, fit_.spline, counts());
@@ -141,7 +141,7 @@ class FitProblem {
   using Model = CurveModel<Curve, Curve::order - 1, PoseTerm<Curve>, SmoothnessTerms<Curve>>;
   using System = typename Model::System;
 
-  /// The poses beyond a jump at either end, which no loss can tell from a motion.
+  /// Gives weight 0 to the poses beyond a jump at either end, which no loss can distinguish from motion.
   void leave_out_wrong_ends() {
     const auto [first, last] = poses_between_jumps(data_);
     if (first == 0 && last + 1 == data_.size()) return;
@@ -150,7 +150,7 @@ class FitProblem {
     std::fill(options_.weights.begin() + static_cast<std::ptrdiff_t>(last) + 1, options_.weights.end(), Scalar(0));
   }
 
-  /// Whether nothing but the poses holds the curve, or all of it is given.
+  /// Whether no prior is to be estimated: there is none, or `smoothness` is given.
   [[nodiscard]] bool priorless() const { return options_.smoothness || (spans_.empty() && !options_.hold_ends); }
 
   [[nodiscard]] auto counts() const {
@@ -170,12 +170,12 @@ class FitProblem {
   [[nodiscard]] Tangent<G> deviation_of_residuals() const {
     using std::sqrt;
     constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    // Rounding leaves that much; where a prior holds control points, its weight is at least the root of rounding.
+    // A lower bound, from rounding. If a prior determines control points, its weight is at least √eps.
     const Scalar share = spans_.empty() ? 64 * epsilon : sqrt(epsilon);
     const Scalar extent = extent_.maxCoeff();
     const Tangent<G> found = robust_deviation<Curve>(data_, fit_.spline, counts(), free_share_,
                                                      share * (extent > Scalar(0) ? extent : Scalar(1)));
-    // Of nearly as many control points as poses there are next to no residuals.
+    // With nearly as many control points as poses, the residuals are almost zero.
     if (taken_share_ < Scalar(3) / Scalar(4) || data_.size() < 3) return found;
     return found.cwiseMax(noise_of(data_));
   }
@@ -185,10 +185,10 @@ class FitProblem {
   std::optional<KnotChoice<G>> choice_;
   Fit<Curve> fit_;
   std::vector<UnmeasuredSpan<typename Curve::Time>> spans_;
-  Tangent<G> noise_;    // the standard deviation of a pose, given or of the residuals
+  Tangent<G> noise_;    // standard deviation of a pose, given or from the residuals
   Tangent<G> extent_;   // of the poses
-  Scalar taken_share_;  // of the data that the control points take
-  Scalar free_share_;   // and leave, at least a quarter
+  Scalar taken_share_;  // share of the data that the control points take
+  Scalar free_share_;   // share that they leave free, at least a quarter
 };
 
 }  // namespace splinertia

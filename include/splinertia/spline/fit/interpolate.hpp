@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The spline that passes through every pose.
+/// Interpolates poses: the spline that passes through every pose.
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@
 
 namespace splinertia {
 
-/// Knots for a curve through poses at these times, and the number of control points. NonUniformKnots are at the poses,
-/// but for those that not-a-knot leaves out; UniformKnots as near to them as even spacing is, which has to be within a
-/// quarter of their interval.
+/// Knots for a curve through the poses, and the number of control points. NonUniformKnots are at the poses, except
+/// those that not-a-knot leaves out. UniformKnots are evenly spaced; throws std::invalid_argument if a pose is more
+/// than a quarter of their interval from its knot.
 template <typename Curve>
 [[nodiscard]] std::pair<KnotsOf<Curve>, std::size_t> interpolation_knots(const PosesOf<Curve>& poses,
                                                                          EndCondition ends) {
@@ -53,18 +53,18 @@ template <typename Curve>
   }
 }
 
-/// The spline of an even order through every pose, Order − 2 times continuously differentiable:
+/// The spline of an even order >= 4 through every pose, Order − 2 times continuously differentiable:
 ///
 ///   using Curve = Spline<SO3xR3<double>, 4, NonUniformKnots<double>>;
 ///   const Curve curve = interpolate<Curve>(poses);
 ///   const Curve clamped = interpolate<Curve>(poses, {.condition = EndCondition::clamped});   // begins, ends at rest
 ///
-/// It repeats whatever noise the poses have: for measured poses, whose accelerations are then mostly noise, take fit().
-/// `poses` is any range of Stamped, as for fit().
+/// It reproduces the noise of the poses. Use fit() for measured poses: accelerations would be mostly noise. `poses` is
+/// any range of Stamped, as for fit().
 ///
-/// Throws std::invalid_argument as fit() does of poses, for fewer than two (with not-a-knot: than the order), and for
-/// uneven poses on UniformKnots; std::runtime_error if the poses turn too much from one to the next for there to be
-/// such a curve.
+/// Throws std::invalid_argument for invalid poses as fit() does, for fewer than two poses (with not-a-knot: than the
+/// order), and for unevenly spaced poses with UniformKnots. Throws std::runtime_error if no such curve is found because
+/// the poses turn too much from one to the next.
 template <typename Curve, StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] Curve interpolate(const Poses& poses, const CurveEnds<typename Curve::Group>& ends = {}) {
@@ -79,7 +79,7 @@ template <typename Curve, StampedPoses Poses>
   auto [knots, control_points] = interpolation_knots<Curve>(data, ends.condition);
   Curve curve = poses_at_control_points<Curve>(data, std::move(knots), control_points);
 
-  // As many equations as unknowns, so that the least squares come down to nothing.
+  // There are as many equations as unknowns, so the minimum of the squares is zero.
   using Model = CurveModel<Curve, Curve::order, PoseTerm<Curve>, EndTerm<Curve>>;
   const std::vector<Scalar> weights;
   const PoseTerm<Curve> through(data, weights, Tangent<G>::Ones(), RobustLoss::squares());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Knots from the poses themselves: from their rate, their noise and their motion.
+/// Chooses knots from the rate, the noise and the motion of the poses.
 #pragma once
 
 #include <algorithm>
@@ -21,17 +21,18 @@
 
 namespace splinertia {
 
-/// How far neighbouring control points may turn against each other, rad: beyond π they could turn the other way.
+/// The largest rotation between neighbouring control points, rad. Beyond π its direction would be ambiguous.
 inline constexpr double largest_turn = 2 * std::numbers::pi / 3;
 
-/// Poses without those that are astray between breaks, and in which of the parts between jumps each is.
+/// The poses without those that are astray between two breaks. part[i] is the index of the part between jumps that pose
+/// i is in.
 template <LieGroup G, TimePoint Time>
 struct UnbrokenPoses {
   std::vector<Stamped<G, Time>> poses;
   std::vector<std::size_t> part;
 
   explicit UnbrokenPoses(const std::vector<Stamped<G, Time>>& all) {
-    constexpr std::size_t most_astray = 4;  // between two breaks
+    constexpr std::size_t most_astray = 4;  // poses between two breaks
     const auto breaks = detail::breaks_between(all);
     std::size_t from = 0;
     for (std::size_t b = 0; b < breaks.size(); ++b) {
@@ -47,15 +48,15 @@ struct UnbrokenPoses {
   }
 };
 
-/// The mean squares of what poses an interval h apart show.
+/// Mean squares, per component, over poses that are an interval h apart.
 template <LieGroup G>
 struct MotionAtScale {
-  Tangent<G> residual_square;      ///< of a pose from the cubic through those at ±h and ±2h
-  Tangent<G> acceleration_square;  ///< of the parabola through those at 0 and ±h
+  Tangent<G> residual_square;      ///< residual of a pose against the cubic through those at ±h and ±2h
+  Tangent<G> acceleration_square;  ///< acceleration of the parabola through those at 0 and ±h
 };
 
-/// Over all poses with neighbours at these distances to within a quarter of h and no jump between them; of at most a
-/// few thousand. None if there are fewer than three.
+/// The means over all poses with neighbours at these distances to within a quarter of h and no jump between them; at
+/// most a few thousand poses are used. Empty if fewer than three qualify.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] std::optional<MotionAtScale<G>> motion_at_scale(const UnbrokenPoses<G, Time>& unbroken, double h) {
   constexpr std::size_t most = 4096;
@@ -84,15 +85,15 @@ template <LieGroup G, TimePoint Time>
   return MotionAtScale<G>{sum.residual_square / number, sum.acceleration_square / number};
 }
 
-/// What keeps chosen knots from being further apart.
+/// What limits the chosen knot interval.
 enum class KnotLimit {
-  motion,  ///< the curve would be off by more than its noise, or by more than a two-thousandth of the acceleration
-  poses,   ///< the same at any interval that the poses hold: they are too sparse for their motion
-  turn,    ///< neighbouring control points would turn by more than 120° against each other
-  length,  ///< 64 poses to a knot, or eight segments in all: the poses show no motion
+  motion,  ///< a longer one has a velocity error above the noise and an acceleration error above a two-thousandth
+  poses,   ///< the same at every interval that the poses allow: they are too sparse for their motion
+  turn,    ///< neighbouring control points would turn by more than 120° relative to each other
+  length,  ///< 64 poses per knot, or eight segments in all, are reached: the poses show no motion
 };
 
-/// A knot interval for poses, and why.
+/// A knot interval chosen for poses, and what limits it.
 template <LieGroup G>
 struct KnotChoice {
   double interval;  ///< s
@@ -102,8 +103,8 @@ struct KnotChoice {
   Tangent<G> noise;      ///< standard deviation of a pose, of each component (noise_of)
 };
 
-/// The longest interval that poses turn by less than 120° in, s; infinity if they do not turn. A single jump does not
-/// count, nor does what noise makes: three times the length of the standard deviation of a rotation, `noise`, rad.
+/// The longest interval in which poses turn by less than 120°, s; infinity if they do not turn. A single jump does not
+/// count. 3·noise is subtracted from each turn; `noise` is the length of the standard deviation of a rotation, rad.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] double longest_unambiguous_interval(const std::vector<Stamped<G, Time>>& poses, double noise = 0) {
   std::vector<double> rate;
@@ -116,15 +117,15 @@ template <LieGroup G, TimePoint Time>
   for (std::size_t i = 2; i < rate.size(); ++i) {
     const double &a = rate[i - 2], &b = rate[i - 1], &c = rate[i];
     fastest =
-        (std::max)(fastest, (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c)));  // the middle of the three
+        (std::max)(fastest, (std::max)((std::min)(a, b), (std::min)((std::max)(a, b), c)));  // median of the three
   }
   return largest_turn / fastest;
 }
 
-/// The errors of the first two derivatives of a spline, from the sizes of h² x″ and h⁴ x⁗. A spline of order k is off
-/// by √(|B₂ₖ₋₂|/(2k−2)!) hᵏ⁻¹ |x⁽ᵏ⁾| in x′ and by √(|B₂ₖ₋₄|/(2k−4)!) hᵏ⁻² |x⁽ᵏ⁾| in x″, root mean squares of
-/// Bernoulli's polynomials (de Boor, A Practical Guide to Splines, XII). Orders above 4 are taken for 4, and |x‴| for
-/// √(|x″| |x⁗|), as of a sine.
+/// The errors of the first two derivatives of a spline, from the magnitudes of h² x″ and h⁴ x⁗. The RMS error of a
+/// spline of order k is √(|B₂ₖ₋₂|/(2k−2)!) hᵏ⁻¹ |x⁽ᵏ⁾| in x′ and √(|B₂ₖ₋₄|/(2k−4)!) hᵏ⁻² |x⁽ᵏ⁾| in x″, from the
+/// Bernoulli polynomials (de Boor, A Practical Guide to Splines, XII). Orders above 4 are treated as 4, and |x‴| as
+/// √(|x″| |x⁗|), as for a sine.
 struct SplineErrors {
   double first, second;  ///< of h x′ and h² x″
 
@@ -142,10 +143,11 @@ struct SplineErrors {
   }
 };
 
-/// How far apart the knots of a curve should be for its rate to be right: the longest interval h of which the error is
-/// below the noise, in each component; the noise is that of all components of a unit. The cubic through poses at ±h and
-/// ±2h is off by h⁴ |x⁗|/6, which gives the errors of the spline; the noise of its velocity is about 1.5 σ/(h √N), with
-/// N poses to a knot. Requires two poses in ascending order of time.
+/// Chooses the knot interval for an accurate velocity: the longest interval h for which in each component the error of
+/// the velocity is below its noise, or that of the acceleration is below a two-thousandth of it. The noise is the RMS
+/// over all components of the same unit. The residual against the cubic through poses at ±h and ±2h is h⁴ |x⁗|/6, which
+/// gives the errors of the spline. The noise of the velocity is about 1.5 σ/(h √N), with N poses per knot. Requires at
+/// least two poses in ascending order of time.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = to_seconds<double>(poses.back().time - poses.front().time);
@@ -157,7 +159,7 @@ template <LieGroup G, TimePoint Time>
       const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
       const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
       for (int row = first; row < first + rows; ++row) {
-        // At even neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
+        // With evenly spaced neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
         const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
         const auto without_noise = [&](double square, double share) {
           return std::sqrt((std::max)(0., square - share * own_noise));

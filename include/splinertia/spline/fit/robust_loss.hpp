@@ -6,22 +6,22 @@
 
 namespace splinertia {
 
-/// What a residual of r standard deviations costs: outliers pull less than the square of their distance.
+/// The cost of a residual of r standard deviations. Robust losses grow less than r² for outliers.
 class RobustLoss {
  public:
-  /// r²: all count alike.
+  /// r²: least squares, no down-weighting of outliers.
   [[nodiscard]] static RobustLoss squares() { return {Kind::squares, 1}; }
-  /// r² up to `limit` standard deviations, linear beyond: an outlier pulls like a pose that is just `limit` off. The
+  /// r² up to `limit` standard deviations, linear beyond: an outlier has the influence of a residual of `limit`. The
   /// default is 95 % efficient on normal noise. Huber, Ann. Math. Statist. 35 (1964) 73. Throws std::invalid_argument
   /// unless limit > 0 and finite.
   [[nodiscard]] static RobustLoss huber(double limit = 1.345) { return {Kind::huber, limit}; }
-  /// limit²·log(1 + (r/limit)²): the further off, the less an outlier pulls, so that jumps hardly disturb what is
-  /// around them. The default is 95 % efficient on normal noise. Throws as above.
+  /// limit²·log(1 + (r/limit)²): the influence of an outlier falls with its distance, so jumps hardly disturb the curve
+  /// around them. The default is 95 % efficient on normal noise. Throws as huber() does.
   [[nodiscard]] static RobustLoss cauchy(double limit = 2.3849) { return {Kind::cauchy, limit}; }
 
   [[nodiscard]] bool is_squares() const { return kind_ == Kind::squares; }
 
-  /// The cost of a residual of this square.
+  /// The cost of a residual with this square.
   template <typename Scalar>
   [[nodiscard]] Scalar cost(const Scalar& square) const {
     using std::log1p;
@@ -32,7 +32,7 @@ class RobustLoss {
     return kind_ == Kind::cauchy ? limit_square * log1p(square / limit_square) : square;
   }
 
-  /// d cost/d square: the weight in least squares that are weighted anew in each iteration.
+  /// d cost/d square: the weight in iteratively reweighted least squares.
   template <typename Scalar>
   [[nodiscard]] Scalar weight(const Scalar& square) const {
     using std::sqrt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where poses leave a curve to itself.
+/// Finds the spans of a curve that poses do not determine.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,25 @@
 
 namespace splinertia {
 
-/// Between two neighbouring poses, or between an end of the curve and the pose next to it.
+/// A span between two neighbouring poses, or between an end of the curve and the pose next to it.
 template <typename Time>
 struct UnmeasuredSpan {
   Time start, end;
-  bool is_gap;           ///< long beside the knots and beside the usual interval of poses
+  bool is_gap;           ///< long compared with the knot interval and with the usual interval of poses
   double knot_interval;  ///< s, of the knots beside it
 };
 
-/// A part of a curve that poses measure, between two spans; s from the start of the curve.
+/// A part of a curve with poses, between two unmeasured spans; s from the start of the curve.
 struct MeasuredPart {
   double start, end;
 };
 
-/// The spans between poses that need something beside the poses to hold the curve. These are the gaps: longer than 1.5
-/// knot intervals (those beside the gap) and than 2.5 times the median interval of poses; and every interval that a
-/// control point shapes which the poses determine badly, `weak` in ascending order. `counts(i)` says whether pose i
-/// counts at all.
+/// The spans between poses where the curve needs a prior:
+/// - gaps: longer than 1.5 knot intervals (of the knots beside the gap) and than 2.5 times the median interval of
+///   poses;
+/// - every interval influenced by a control point of `weak`, those that the poses determine badly, in ascending order,
+///   unless that control point also influences a gap.
+/// `counts(i)` tells whether pose i is used.
 template <typename Curve>
 [[nodiscard]] std::vector<UnmeasuredSpan<typename Curve::Time>> unmeasured_spans(const Curve& curve,
                                                                                  const PosesOf<Curve>& poses,
@@ -54,7 +56,7 @@ template <typename Curve>
   std::nth_element(sorted.begin(), middle, sorted.end());
   const double usual = *middle;
 
-  // Of the segments that end and begin at the ends of interval i: a long gap may be one segment.
+  // The shorter of the segments before and after interval i: a long gap may be one segment.
   const auto interval_beside = [&](std::size_t i) {
     const Time before = i > 1 ? times[i - 2] + (times[i - 1] - times[i - 2]) / 2 : times[i - 1];
     return (std::min)(length_of_segment(before), length_of_segment(times[i]));
@@ -67,7 +69,7 @@ template <typename Curve>
     if (!(lengths[i - 1] > 2.5 * usual) && times.size() > 2) continue;
     intervals.back().is_gap = lengths[i - 1] > 1.5 * interval_beside(i);
   }
-  // A control point shapes Order segments. Where no gap is among them, poses are sparse all over.
+  // A control point influences Order segments. If there is no gap among them, poses are sparse throughout.
   std::vector<bool> sparse(intervals.size(), false);
   const std::size_t segments = control_points - order + 1;
   for (const std::size_t c : weak) {
@@ -89,7 +91,7 @@ template <typename Curve>
   return spans;
 }
 
-/// What is left of the curve between the spans, one part more than there are spans; a single pose has the length 0.
+/// The parts of the curve between the spans: one more than there are spans. A part with a single pose has length 0.
 template <typename Curve>
 [[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
                                                        const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-/// The Lie algebra in which schemes compute. Attitude R, velocity v, position p and time t of a body make the matrix
+/// The Lie algebra in which schemes compute. Attitude R, velocity v, position p and time t of a body form the matrix
 ///
 ///   X = [ R v p; 0 1 t; 0 0 1 ]
 ///
-/// of the Galilean group SGal(3), and an ideal IMU drives it by X' = X·A, A = [ ω^ f 0; 0 0 1; 0 0 0 ], gravity left
-/// aside (it adds g t and g t²/2 whatever the body does). Kelly, "All About the Galilean Group SGal(3)" (2023); SE_2(3)
-/// is the same without time: Barrau, Bonnabel, IEEE TRO 36 (2020).
+/// of the Galilean group SGal(3). Without gravity it obeys X' = X·A, A = [ ω^ f 0; 0 0 1; 0 0 0 ], with the readings ω
+/// and f of an ideal IMU. Gravity adds g t and g t²/2, independently of the body's motion.
+/// Kelly, "All About the Galilean Group SGal(3)" (2023). SE_2(3) is the same without time: Barrau, Bonnabel, IEEE TRO
+/// 36 (2020).
 #pragma once
 
 #include <splinertia/group/detail/rotation.hpp>
@@ -35,16 +36,16 @@ template <typename Scalar>
           a.phi.cross(b.rho) - b.phi.cross(a.rho) + a.nu * b.tau - b.nu * a.tau, Scalar(0)};
 }
 
-/// What a body has done in an interval, seen from its axes at the beginning, gravity left aside.
+/// The motion of a body over an interval without gravity, in the body's axes at its beginning.
 template <typename Scalar>
 struct NavIncrement {
-  Eigen::Quaternion<Scalar> rotation;  ///< to the axes at the beginning from those at the end; unit to rounding
+  Eigen::Quaternion<Scalar> rotation;  ///< from the axes at the end to those at the beginning; unit to rounding
   Vector3<Scalar> velocity;            ///< m/s
   Vector3<Scalar> position;            ///< m
   Scalar interval;                     ///< s
 };
 
-/// J a = a + c₂ φ × a + c₃ φ × (φ × a), the left Jacobian of SO(3) times a; c from stumpff<5>(|φ|²).
+/// The left Jacobian of SO(3) times a: J a = a + c₂ φ × a + c₃ φ × (φ × a), with c from stumpff<5>(|φ|²).
 template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> times_left_jacobian(const StumpffValues<Scalar, 5>& c, const Vector3<Scalar>& phi,
                                                   const Vector3<Scalar>& a) {
@@ -52,7 +53,7 @@ template <typename Scalar>
   return a + c.full[2] * once + c.full[3] * phi.cross(once);
 }
 
-/// exp of (φ, ν, 0, τ): R = exp(φ^), v = J ν, p = τ H ν with J = I + c₂ φ^ + c₃ φ^² and H = I/2 + c₃ φ^ + c₄ φ^².
+/// exp(φ, ν, 0, τ): R = exp(φ^), v = J ν, p = τ H ν with J = I + c₂ φ^ + c₃ φ^² and H = I/2 + c₃ φ^ + c₄ φ^².
 template <typename Scalar>
 [[nodiscard]] NavIncrement<Scalar> galilean_exp(const StumpffValues<Scalar, 5>& c, const Vector3<Scalar>& phi,
                                                 const Vector3<Scalar>& nu, const Scalar& tau) {
@@ -64,7 +65,7 @@ template <typename Scalar>
           tau};
 }
 
-/// exp(Ω): as above, and J ρ more of position.
+/// exp(Ω): as above, with J ρ added to the position.
 template <typename Scalar>
 [[nodiscard]] NavIncrement<Scalar> galilean_exp(const GalileanVector<Scalar>& omega) {
   const auto c = stumpff<5>(Scalar(omega.phi.squaredNorm()));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// How the motion of a step depends on a constant that is added to the rate and to the force: what biases and their
-/// Jacobians, and the noise of a step, go through.
+/// Derivatives of the motion of a step with respect to constant offsets of the rate and the force. Bias Jacobians and
+/// the noise of a step are computed from them.
 #pragma once
 
 #include <splinertia/group/detail/rotation.hpp>
@@ -9,8 +9,8 @@
 
 namespace splinertia {
 
-/// A step and its derivatives: with δω added to the rate and δf to the force, ΔR becomes ΔR exp(R_w δω), Δv becomes
-/// Δv + v_w δω + v_f δf, and Δp becomes Δp + p_w δω + p_f δf. All 3×3.
+/// A step and its derivatives, all 3×3. With δω added to the rate and δf to the force,
+///   ΔR becomes ΔR exp(R_w δω),  Δv becomes Δv + v_w δω + v_f δf,  Δp becomes Δp + p_w δω + p_f δf
 template <typename Scalar>
 struct LinearizedIncrement {
   NavIncrement<Scalar> value;
@@ -18,8 +18,8 @@ struct LinearizedIncrement {
   Matrix3<Scalar> v_f, p_f;
 };
 
-/// For the coefficient functions of galilean.hpp: a + c_m φ×a + c_n φ×(φ×a) as a matrix that takes a, and its
-/// derivative with respect to φ.
+/// The coefficient functions of galilean.hpp: a ↦ constant·a + c_m φ×a + c_n φ×(φ×a) as a matrix, and its derivative
+/// with respect to φ.
 template <int m, int n, typename Scalar>
 struct CrossPolynomial {
   Scalar cm, cn, dm, dn;  // coefficients and (dc/dθ)/θ
@@ -50,7 +50,7 @@ template <typename Scalar>
   result.value = galilean_exp(c, omega.phi, omega.nu, h);
   result.value.position += times_left_jacobian(c, omega.phi, omega.rho);
 
-  // Of Ω: φ and ν by what a constant adds to them over h; the moments do not change.
+  // Derivatives of Ω's φ and ν: an offset adds h times itself to the integrals and leaves the first moments unchanged.
   const Matrix3<Scalar> dphi_w = h * (Matrix3<Scalar>::Identity() - hat<Scalar>(m.phi_moment));
   const Matrix3<Scalar> dnu_w = -h * hat<Scalar>(m.nu_moment);
   const Matrix3<Scalar>& dnu_f = dphi_w;
@@ -82,7 +82,7 @@ template <typename Scalar>
   return result;
 }
 
-/// Schemes whose steps can be linearized: those that give moments, and Euler and Trapezoid, which say it themselves.
+/// Schemes whose steps can be linearized: those with moments(), and those with linearize() (Euler and Trapezoid).
 template <typename Scheme, typename Scalar, typename Window>
 concept LinearizableScheme = HasMoments<Scheme, Scalar, Window> || requires(const Window& window) {
   Scheme::template linearize<Scalar>(window, std::size_t{0});

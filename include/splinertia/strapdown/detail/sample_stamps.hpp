@@ -15,13 +15,13 @@
 
 namespace splinertia::detail {
 
-/// The stamps of a run of samples: whether each follows the one before as it should. Most are let through by two
-/// comparisons, follows(); what is left is looked at by judged(), which is out of the way and is given a copy, because
-/// what has its address taken stays in memory.
+/// Checks the stamps of a run of samples for order, overflow and gaps. follows() accepts most of them with two
+/// comparisons. judged() looks at the others and returns a changed copy, so that nothing changes if it throws.
 template <typename Scalar, TimePoint Time>
 class SampleStamps {
  public:
-  /// `intervals`: over how many of them differences of times are taken later, which must not overflow.
+  /// `intervals`: the number of intervals across which times are subtracted later, which must not overflow. Throws
+  /// std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
   SampleStamps(Time start, const GapOptions<Scalar>& gaps, int intervals)
       : last_(start), origin_(start), gaps_(gaps), intervals_(intervals) {
     if (!is_finite(start)) {
@@ -32,21 +32,22 @@ class SampleStamps {
     }
   }
 
-  /// Whether a stamp is after the last one by an interval that needs no closer look.
+  /// Whether a stamp comes after the last one and needs no closer look.
   [[nodiscard]] bool follows(Time time) const {
     if (finite_math_only && !is_finite(time)) return false;
     return time > last_ && time_between(last_, time) <= unquestioned_;
   }
 
-  /// These stamps after the first sample, which is at the start.
+  /// A copy of this for the samples after the first one, which is at the start.
   [[nodiscard]] SampleStamps begun() const {
     SampleStamps result = *this;
     result.unquestioned_ = unquestioned();
     return result;
   }
 
-  /// These stamps before sample number `index` at `time`, after `intervals` of them, with gaps counted. Throws
-  /// std::invalid_argument for a stamp that does not follow and a gap that is refused.
+  /// A copy of this that has accepted sample `index` at `time`, and counted it if it ends a gap; append() comes next.
+  /// `intervals` is the number of intervals before this one. Throws std::invalid_argument for a stamp that is not after
+  /// the last one or too far from it for the type of time, and for a gap that is refused.
   [[nodiscard]] SampleStamps judged(Time time, std::size_t index, std::size_t intervals) const {
     if (!is_finite(time) || !(time > last_)) {
       refuse<std::invalid_argument>("integrate: sample ", index, " is at ", printable(time), ", expected a time after ",
@@ -70,7 +71,7 @@ class SampleStamps {
 
   [[nodiscard]] Time last() const { return last_; }
   [[nodiscard]] std::size_t gaps() const { return bridged_; }
-  /// From the last stamp to a later one, s.
+  /// The time from the last stamp to a later one, s.
   [[nodiscard]] Scalar since_last(Time time) const { return to_seconds<Scalar>(time_between(last_, time)); }
 
  private:
@@ -85,7 +86,7 @@ class SampleStamps {
 
   void judge_by_mean(Time time, const Scalar& interval, std::size_t index, std::size_t intervals) {
     const Scalar least = Scalar(1) / Scalar(10), many(10);
-    if (intervals == 0) {  // nothing to judge by: the next sample is not let through either
+    if (intervals == 0) {  // nothing to compare with: the next sample has to be judged, too
       if (interval > least) unquestioned_ = Time(0);
       return;
     }
@@ -118,7 +119,7 @@ class SampleStamps {
 
   [[nodiscard]] Time largest() const {
     if constexpr (is_integer_duration<Time>) {
-      return Time(((Time::max)().count() - 1) / intervals_);  // max() may be more
+      return Time(((Time::max)().count() - 1) / intervals_);  // −1: time_between() saturates at max()
     } else {
       return (std::numeric_limits<Time>::max)() / static_cast<Time>(intervals_);
     }
@@ -146,7 +147,7 @@ class SampleStamps {
     }
   }
 
-  Time last_, origin_;  // the origin is the start, moved by the gaps
+  Time last_, origin_;  // the origin is the start, shifted by the lengths of the gaps
   Time unquestioned_{};
   GapOptions<Scalar> gaps_;
   std::size_t bridged_ = 0;

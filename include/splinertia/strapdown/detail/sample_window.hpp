@@ -21,9 +21,9 @@
 
 namespace splinertia {
 
-/// The samples that a scheme looks at, and how far it has come: the part of an integration that knows no state. It
-/// calls `take(window, from, time)` for each step that they allow, with the time of its end. No heap; a copy is an
-/// independent continuation.
+/// The window of samples that a scheme looks at, and its progress: the part of an integration that needs no state. It
+/// calls `take(window, from, time)` for each step that the samples allow; `time` is the end of the step. It uses no
+/// heap. A copy continues independently.
 template <typename Scheme, typename Scalar, TimePoint Time>
 class SampleWindow {
  public:
@@ -44,9 +44,9 @@ class SampleWindow {
     }
   }
 
-  /// Adds a point sample: the first one at the start. Throws std::invalid_argument otherwise, for readings that are not
-  /// finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused; then
-  /// nothing has changed.
+  /// Adds a point sample; the first one has to be at the start. Throws std::invalid_argument if it is not, for readings
+  /// that are not finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is
+  /// refused. Then nothing has changed.
   template <typename AnySample>
     requires(!takes_increments && ImuSample<AnySample, Scalar, Time>)
   [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
@@ -56,7 +56,7 @@ class SampleWindow {
     advance(take);
   }
 
-  /// Adds an increment: the first one begins at the start.
+  /// Adds an increment; the first one begins at the start. Throws as above.
   template <typename AnySample>
     requires(takes_increments && ImuIncrement<AnySample, Scalar, Time>)
   [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
@@ -66,8 +66,8 @@ class SampleWindow {
     advance(take);
   }
 
-  /// The steps that wait for samples which will not come: one-sided, or shorter. Where there are fewer point samples
-  /// than the scheme looks at, it sees the first one several times, at intervals of 0.
+  /// Takes the steps that wait for further samples without them: one-sided or shorter. If there are fewer point samples
+  /// than the window holds, the first one is repeated at intervals of 0.
   void finish(const auto& take) {
     if constexpr (!takes_increments) {
       if (pushed_ > 0 && pushed_ < window) std::fill_n(samples_.begin(), window - pushed_, samples_[window - pushed_]);
@@ -79,9 +79,9 @@ class SampleWindow {
 
   /// The time of the last sample, or of the start.
   [[nodiscard]] Time last() const { return stamps_.last(); }
-  /// From there to a later time, s.
+  /// The time from last() to a later one, s.
   [[nodiscard]] Scalar since_last(Time time) const { return stamps_.since_last(time); }
-  /// How many gaps have been bridged.
+  /// The number of bridged gaps.
   [[nodiscard]] std::size_t gaps() const { return stamps_.gaps(); }
 
  private:
@@ -91,7 +91,7 @@ class SampleWindow {
   [[gnu::always_inline]] void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
     using std::abs;
     if constexpr (Scheme::needs_equal_intervals) {
-      // A hundredth puts as much of an error into the correction, which is itself small; jitter of stamps is below it.
+      // A deviation of 1 % causes an error of 1 % of the correction, which is itself small. Stamps jitter by less.
       const Scalar interval = stamps_.since_last(time), expected = samples_.back().interval;
       if (pushed_ > 0 && time > last() && !(abs(interval - expected) <= expected / Scalar(100))) {
         refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " comes ", interval,
@@ -99,13 +99,13 @@ class SampleWindow {
                                       " s: the scheme needs equal intervals");
       }
     }
-    // A sum is finite only where all that is in it is; that of large numbers may be too large: examine() looks again.
+    // The sum is finite only if all readings are. That of large readings may exceed most(): examine() decides.
     const Scalar sum = abs((rate + force).sum());
     if (!(stamps_.follows(time) && sum <= most() && (!finite_math_only || is_finite(sum)))) [[unlikely]]
       examine(time, rate, force);
   }
 
-  // The largest magnitude of a reading: schemes multiply three of them.
+  // The largest magnitude of a reading: schemes multiply up to three readings.
   [[nodiscard]] static constexpr Scalar most() {
     if constexpr (std::floating_point<Scalar>) {
       constexpr Scalar factor = largest_factor<Scalar>();
@@ -115,7 +115,7 @@ class SampleWindow {
     }
   }
 
-  // Out of the way of what is inlined.
+  // Not inlined, because it is rare.
   [[gnu::noinline, gnu::cold]] void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
     Stamps stamps = stamps_;
     if (takes_increments || pushed_ > 0) {
@@ -155,9 +155,9 @@ class SampleWindow {
   [[nodiscard]] std::size_t waiting() const { return window - from_ - (takes_increments ? 0 : 1); }
 
   [[gnu::always_inline]] void advance(const auto& take) {
-    // The position is that of the sample (point samples) or of the increment that the next step begins with.
+    // The index of the sample or increment with which the next step begins.
     const std::size_t from = from_ - 1;
-    // All steps but the first and the last ones begin at the same place in the window.
+    // All steps but the first and the last ones begin at the same index.
     constexpr std::size_t usual = window - (takes_increments ? 0 : 1) - Scheme::stride - Scheme::lead;
     if (from == usual && (usual == 0 || pushed_ >= window)) [[likely]] {
       from_ = usual + Scheme::stride;
@@ -173,11 +173,11 @@ class SampleWindow {
 
   void step(const auto& take) {
     const std::size_t intervals = (std::min)(Scheme::stride, waiting());
-    const std::size_t from = std::exchange(from_, from_ + intervals);  // first: `take` may throw
+    const std::size_t from = std::exchange(from_, from_ + intervals);  // before `take`, which may throw
     if constexpr (takes_increments) {
       take(samples_, from, samples_[from_ - 1].time);
     } else {
-      const auto samples = samples_;  // a copy, so that samples_ can be in registers in all other steps
+      const auto samples = samples_;  // a copy, so that samples_ can stay in registers in all other steps
       take(samples, from, samples[from_].time);
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// Polynomials through the four samples of a window, for schemes of order 4 on stamps of any kind.
+/// Polynomials through the four samples of a window, for schemes of order 4 on irregular stamps.
 ///
-/// A polynomial through close samples amplifies their noise: two samples ε apart have a slope with an error of σ/ε. So
-/// the weights of a step may differ from those of the straight line between two samples by a stated amount at most:
-/// where those of the cubic do not, the parabola takes its place, and where those of the parabola do not, the line.
+/// A polynomial through close samples amplifies their noise: the slope between two samples ε apart has an error of σ/ε.
+/// Therefore the weights of a step may differ from those of the straight line between two samples by a given limit at
+/// most. If those of the cubic differ by more, the parabola is used; if those of the parabola do, too, the line is.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace splinertia::detail {
 
-/// Which of the four samples a polynomial goes through: `Count` of them from `first` on.
+/// The samples that a polynomial goes through: `Count` of the four, from `first` on.
 template <std::size_t Count>
 struct Nodes {
   std::size_t first;
 };
 
-/// The times of a window from sample `from` on, s.
+/// The times of a window relative to sample `from`, s.
 template <typename Scalar, typename Window>
 [[nodiscard]] std::array<Scalar, 4> times_from(const Window& window, std::size_t from) {
   std::array<Scalar, 4> times;
@@ -28,7 +28,7 @@ template <typename Scalar, typename Window>
   return times;
 }
 
-/// The same from the middle of an interval of h that begins with sample `from`, in units of h.
+/// The times relative to the middle of the interval of length h that begins with sample `from`, in units of h.
 template <typename Scalar>
 [[nodiscard]] std::array<Scalar, 4> centred(std::array<Scalar, 4> times, std::size_t from, const Scalar& h) {
   const Scalar begin = times[from];
@@ -36,12 +36,12 @@ template <typename Scalar>
   return times;
 }
 
-/// Weights for each of several things that are wanted of a polynomial: an integral, a moment, a value.
+/// The weights of the four samples for each of several functionals of a polynomial: an integral, a moment, a value.
 template <typename Scalar, std::size_t Wanted>
 using StencilWeights = std::array<std::array<Scalar, 4>, Wanted>;
 
 /// The weights w with Σ w_j f(s_j) = functional(c) for the polynomial c₀ + c₁s + c₂s² + c₃s³ through the samples of
-/// `nodes` (Lagrange). The functional is linear in c and returns an array of what is wanted.
+/// `nodes` (Lagrange). `functional` is linear in c and returns an array, which gets one set of weights per element.
 template <std::size_t Count, typename Scalar>
 [[nodiscard, gnu::always_inline]] inline auto lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
                                                                const auto& functional) {
@@ -73,8 +73,8 @@ template <std::size_t Count, typename Scalar>
   return weights;
 }
 
-/// Those of the polynomial of highest degree whose weights for what is wanted first differ from the line's by at most
-/// `limit` in sum: the cubic, the parabola on `parabola`, or the line on `line`.
+/// The weights of the cubic, of the parabola on `parabola` or of the line on `line`: the highest degree for which
+/// Σ_j |w_j − w_j of the line| ≤ `limit`, where w are the weights for the functional's first element.
 template <typename Scalar>
 [[nodiscard]] auto stable_weights(const std::array<Scalar, 4>& s, Nodes<2> line, Nodes<3> parabola,
                                   const auto& functional, const Scalar& limit) {
@@ -83,7 +83,7 @@ template <typename Scalar>
     using std::abs;
     Scalar difference(0);
     for (std::size_t j = 0; j < 4; ++j) difference += abs(weights[0][j] - of_line[0][j]);
-    return difference <= limit;  // not for samples at the same time, where it is NaN
+    return difference <= limit;  // false for samples at the same time, where it is NaN
   };
   const auto of_cubic = lagrange_weights(s, Nodes<4>{0}, functional);
   if (stable(of_cubic)) [[likely]]

@@ -5,15 +5,15 @@
 
 namespace splinertia {
 
-/// The biases of an IMU: what it reads too much.
+/// Additive biases of an IMU: reading = truth + bias.
 template <typename Scalar>
 struct ImuBias {
   Vector3<Scalar> gyro = Vector3<Scalar>::Zero();   ///< rad/s
   Vector3<Scalar> accel = Vector3<Scalar>::Zero();  ///< m/s²
 };
 
-/// How a preintegrated motion changes with the biases it was computed with, all 3×3: ΔR(b + d) = ΔR exp(R_gyro d), Δv
-/// and Δp additively.
+/// Derivatives of a preintegrated motion with respect to the biases it was computed with, all 3×3:
+///   ΔR(b + d) = ΔR exp(R_gyro d_gyro),  Δv(b + d) = Δv + v_gyro d_gyro + v_accel d_accel,  Δp likewise
 template <typename Scalar>
 struct BiasJacobians {
   Matrix3<Scalar> R_gyro = Matrix3<Scalar>::Zero();

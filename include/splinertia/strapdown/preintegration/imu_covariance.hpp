@@ -10,7 +10,7 @@
 
 namespace splinertia {
 
-/// Densities of the noise of an IMU in continuous time, as WhiteNoise and RandomWalk take them.
+/// Noise densities of an IMU in continuous time, in the units of WhiteNoise and RandomWalk.
 template <typename Scalar>
 struct ImuNoise {
   Scalar gyro_density;   ///< N, rad/s/√Hz
@@ -19,26 +19,26 @@ struct ImuNoise {
   Scalar accel_walk;     ///< K, m/s³/√Hz
 };
 
-/// The covariance of a preintegrated motion: of the residual r of preintegration_residual.hpp, attitude (rad), velocity
-/// (m/s), position (m), and of what the biases have walked since the beginning, gyro (rad/s), accel (m/s²).
+/// The covariance of a preintegrated motion, 15×15: of the residual r of preintegration_residual.hpp in attitude (rad),
+/// velocity (m/s) and position (m), and of the bias changes since the beginning, gyro (rad/s) and accel (m/s²).
 ///
-/// A sample's white noise is held over its step, N/√h · n, as samples have it; the biases walk between steps. So r
-/// after a further part, with its own residual r' and biases that have walked w until it begins, is F r + G (r' + J w),
-/// G = diag(I, R, R); the walks add up. Forster et al., IEEE TRO 33 (2017), appendix A, with the biases of the state
-/// carried along.
+/// The white noise of a sample, N/√h · n, is constant over its step. The biases change between steps. Let a further
+/// part with residual r' begin after the biases have changed by w. Then the residual of both is F r + G (r' + J w),
+/// G = diag(I, R, R), and the bias changes add up. Forster et al., IEEE TRO 33 (2017), appendix A, with the biases as
+/// part of the state.
 ///
-/// What it leaves out: schemes that look at both ends of a step share samples between steps, which is the same noise in
-/// total but for the ends of a run. A run of n steps of Midpoint has a variance less by 1/(2n) than is said here, and
-/// is correlated with the runs before and after it instead; who takes runs of a chain as independent needs what is said
-/// here. And it is of first order: an attitude error of size N√t adds |f|N²t²/2 to the velocity along the force f,
-/// which must be small beside the accelerometer's noise N'√t.
+/// Two approximations. First, steps are taken as independent, although schemes that use both ends of a step share
+/// samples between steps. A run of n steps of Midpoint therefore has a variance smaller by 1/(2n) and is correlated
+/// with the neighbouring runs. If you treat runs as independent, this covariance is the right one. Second, it is of
+/// first order. An attitude error of size N√t adds |f|N²t²/2 to the velocity along the force f, which must be small
+/// beside the accelerometer's noise N'√t.
 template <typename Scalar>
 class ImuCovariance {
  public:
   using Matrix15 = Eigen::Matrix<Scalar, 15, 15>;
 
   ImuCovariance() = default;
-  /// Of one step.
+  /// The covariance of one step.
   ImuCovariance(const LinearizedIncrement<Scalar>& step, const ImuNoise<Scalar>& noise) {
     const Scalar h = step.value.interval;
     Eigen::Matrix<Scalar, 9, 6> B = as_matrix({step.R_w, step.v_w, step.v_f, step.p_w, step.p_f});
@@ -49,7 +49,7 @@ class ImuCovariance {
     accel_walk_ = noise.accel_walk * noise.accel_walk * h;
   }
 
-  /// 15×15, symmetric to the last digit.
+  /// 15×15, exactly symmetric.
   [[nodiscard]] Matrix15 matrix() const {
     Matrix15 result;
     result.template topLeftCorner<9, 9>() = (motion_ + motion_.transpose()) / Scalar(2);
@@ -61,11 +61,11 @@ class ImuCovariance {
     return result;
   }
 
-  /// Adds the covariance `with` of a further part: its motion and its bias Jacobians; R is the attitude at its
-  /// beginning.
+  /// Appends a further part with motion `next`, bias Jacobians `of_next` and covariance `with`. R is the attitude at
+  /// its beginning.
   void append(const Matrix3<Scalar>& R, const NavIncrement<Scalar>& next, const BiasJacobians<Scalar>& of_next,
               const ImuCovariance& with) {
-    // J with the walk's scale, and G from the left.
+    // G J, and G J times the covariance of the bias changes.
     Eigen::Matrix<Scalar, 9, 6> GJ = as_matrix(of_next);
     turn(GJ, R);
     Eigen::Matrix<Scalar, 9, 6> GJW = GJ;
@@ -105,7 +105,7 @@ class ImuCovariance {
     return m;
   }
 
-  // G m.
+  // m becomes G m.
   static void turn(auto& m, const Matrix3<Scalar>& R) {
     m.template middleRows<3>(3) = (R * m.template middleRows<3>(3)).eval();
     m.template middleRows<3>(6) = (R * m.template middleRows<3>(6)).eval();

@@ -10,12 +10,12 @@
 
 namespace splinertia {
 
-/// For those who need no covariance: nothing.
+/// Placeholder for "no covariance"; adds no member and no cost.
 struct NoCovariance {};
 
-/// What an IMU has measured between two times as one motion, gravity left aside, with biases `bias` taken off:
-/// preintegration on the manifold, Forster et al., IEEE TRO 33 (2017), with the exact motion over each step. Covariance
-/// is NoCovariance or ImuCovariance<Scalar>.
+/// The motion that an IMU has measured between two times, without gravity and with the biases subtracted. This is
+/// preintegration on the manifold, Forster et al., IEEE TRO 33 (2017), but with the motion over each step that the
+/// scheme gives. Covariance is NoCovariance or ImuCovariance<Scalar>.
 template <typename Scalar, typename Covariance = NoCovariance>
 class PreintegratedImu {
  public:
@@ -29,7 +29,7 @@ class PreintegratedImu {
   [[nodiscard]] const BiasJacobians<Scalar>& jacobians() const { return jacobians_; }
   [[nodiscard]] const Covariance& covariance() const { return covariance_; }
 
-  /// The motion if the biases were others, to first order in the difference.
+  /// The motion for other biases, to first order in their difference from bias().
   [[nodiscard]] NavIncrement<Scalar> corrected(const ImuBias<Scalar>& bias) const {
     const Vector3<Scalar> dg = bias.gyro - bias_.gyro, da = bias.accel - bias_.accel;
     const Vector3<Scalar> turn = jacobians_.R_gyro * dg;
@@ -38,13 +38,13 @@ class PreintegratedImu {
             delta_.position + jacobians_.p_gyro * dg + jacobians_.p_accel * da, delta_.interval};
   }
 
-  /// Adds a step, with its own covariance.
+  /// Appends a step and its covariance.
   void append(const LinearizedIncrement<Scalar>& step, const Covariance& of_step = {}) {
-    // A bias is taken off.
+    // Minus, because biases are subtracted from readings.
     append(step.value, {-step.R_w, -step.v_w, -step.v_f, -step.p_w, -step.p_f}, of_step);
   }
 
-  /// Adds what was preintegrated right after this one; with other biases, to first order in the difference.
+  /// Appends the motion that follows this one. If its biases differ, it is corrected to first order in the difference.
   void append(const PreintegratedImu& next) { append(next.corrected(bias_), next.jacobians_, next.covariance_); }
 
  private:
@@ -54,7 +54,7 @@ class PreintegratedImu {
     if constexpr (requires { covariance_.append(R, next, of_next, with); }) covariance_.append(R, next, of_next, with);
 
     BiasJacobians<Scalar>& J = jacobians_;
-    // From the last to the first, each of which needs the others as they were.
+    // In this order each update still sees the old values that it needs.
     J.p_gyro += J.v_gyro * next.interval + R * (of_next.p_gyro - hat<Scalar>(next.position) * J.R_gyro);
     J.p_accel += J.v_accel * next.interval + R * of_next.p_accel;
     J.v_gyro += R * (of_next.v_gyro - hat<Scalar>(next.velocity) * J.R_gyro);

@@ -9,17 +9,18 @@
 
 namespace splinertia {
 
-/// How far two states and biases are from what an IMU has measured between them, 15 numbers: attitude, velocity,
-/// position, gyro bias, accel bias, in the axes of the body at i,
+/// The difference between two states with biases and the preintegrated motion between them, 15 numbers: attitude,
+/// velocity, position (the latter two in the body's axes at i), gyro bias, accel bias:
 ///
 ///   log(ΔRᵀ R_iᵀ R_j),  R_iᵀ(v_j − v_i − gΔt) − Δv,  R_iᵀ(p_j − p_i − v_iΔt − gΔt²/2) − Δp,  b_j − b_i
 ///
-/// with the preintegrated motion corrected for b_i. Forster et al., IEEE TRO 33 (2017), (45). Its covariance is that of
-/// the preintegrated motion.
+/// with ΔR, Δv and Δp corrected for b_i. Its covariance is that of the preintegrated motion. Forster et al., IEEE TRO
+/// 33 (2017), (45).
 template <typename Scalar>
 using PreintegrationResidual = Eigen::Matrix<Scalar, 15, 1>;
 
-/// The same with derivatives. A state changes by (φ, δv, δp): R exp(φ^), v + δv, p + δp; a bias by (gyro, accel).
+/// The residual with its derivatives. A state is perturbed by (φ, δv, δp) to R exp(φ^), v + δv, p + δp; biases by
+/// (gyro, accel).
 template <typename Scalar>
 struct LinearizedPreintegrationResidual {
   PreintegrationResidual<Scalar> value;

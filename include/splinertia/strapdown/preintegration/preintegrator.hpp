@@ -12,18 +12,19 @@
 
 namespace splinertia {
 
-/// For those who need no covariance: no noise.
+/// Placeholder for "no noise": no covariance is computed.
 struct Noiseless {};
 
-/// Preintegrates the samples of an IMU as they come, without heap:
+/// Preintegrates the samples of an IMU one at a time, without heap:
 ///
 ///   Preintegrator<Midpoint, double, double, ImuNoise<double>> preintegrator(time, bias, noise);
 ///   for (const auto& sample : samples) preintegrator.push(sample);
 ///   preintegrator.finish();
 ///   preintegrator.result();                    // PreintegratedImu: motion, bias Jacobians, covariance
 ///
-/// Scheme is one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid, Magnus4 of point samples,
-/// RotationCorrectedIncrements, TwoSampleIncrements of increments. With Noiseless, the default, there is no covariance.
+/// Scheme has to be one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid or Magnus4 for point samples,
+/// RotationCorrectedIncrements or TwoSampleIncrements for increments. With Noiseless, the default, there is no
+/// covariance.
 template <typename Scheme, typename Scalar, TimePoint Time = double, typename Noise = Noiseless>
   requires IntegrationScheme<Scheme, Scalar, Time> &&
            LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>
@@ -34,7 +35,8 @@ class Preintegrator {
   using Covariance = std::conditional_t<has_noise, ImuCovariance<Scalar>, NoCovariance>;
   using Result = PreintegratedImu<Scalar, Covariance>;
 
-  /// Throws std::invalid_argument for a start or a bias that is not finite and for noise that is not finite or < 0.
+  /// Throws std::invalid_argument for a start or a bias that is not finite, for noise that is not finite or < 0, and
+  /// unless the longest interval of `gaps` is > 0.
   explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
                          const GapOptions<Scalar>& gaps = {})
       : result_(bias), noise_(noise), window_(start, gaps) {
@@ -53,7 +55,7 @@ class Preintegrator {
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
     if constexpr (!check_sample<Scheme, Scalar, Time, Sample>()) {
-      // The compiler has said what is wrong.
+      // check_sample() has already given the error message.
     } else if constexpr (Scheme::takes_increments) {
       const Scalar h = window_.since_last(sample.time);
       window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
@@ -65,7 +67,7 @@ class Preintegrator {
     }
   }
 
-  /// Brings the result to the last sample, without what a scheme would have seen behind it. Samples may follow.
+  /// Advances the result to the last sample; the scheme does without later samples. More samples may follow.
   void finish() { window_.finish(step()); }
 
   [[nodiscard]] const Result& result() const { return result_; }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// Preintegration in a world that turns: the residual of preintegration_residual.hpp with a RotatingFrame as its last
-/// argument. Those who pass none have no member and no instruction for it.
+/// Preintegration in a rotating world: the residual of preintegration_residual.hpp with a RotatingFrame as its last
+/// argument. Without that argument there is no cost.
 ///
-/// What is preintegrated knows no world. Seen from a turning one, state j is not where the inertial formulas put it but
-/// Exp(−Ω Δt) further in attitude, c_v in velocity and c_p in position (rotating_frame.hpp, over the whole interval):
-/// so the residual is the inertial one with that taken off state j. To first order in |Ω| Δt, 1e-9 of the motion left
-/// out after a second on Earth.
+/// The preintegrated motion does not depend on the world. In a rotating one, state j differs from the inertial formulas
+/// by Exp(−Ω Δt) in attitude, c_v in velocity and c_p in position (rotating_frame.hpp, over the whole interval). The
+/// residual is the inertial one after these have been removed from state j. This is of first order in |Ω| Δt: on Earth
+/// it neglects 1e-9 of the motion after a second.
 #pragma once
 
 #include <splinertia/group/detail/rotation.hpp>
@@ -14,7 +14,7 @@
 
 namespace splinertia {
 
-/// State j without what the turning of the world has done to it since state i.
+/// State j without the effect of the world's rotation since state i.
 template <typename Scalar, TimePoint Time>
 [[nodiscard]] NavState<Scalar, Time> without_rotation(const NavState<Scalar, Time>& j, const NavState<Scalar, Time>& i,
                                                       const NavIncrement<Scalar>& delta, const Vector3<Scalar>& gravity,
@@ -42,8 +42,8 @@ template <typename Scalar, typename Covariance, TimePoint Time>
   const NavIncrement<Scalar> delta = imu.corrected(bias_i);
   auto result =
       linearize_preintegration_residual(imu, i, bias_i, without_rotation(j, i, delta, gravity, frame), bias_j, gravity);
-  // With u = R_i Δv and w = R_i Δp: c_p = −h Ω × (h v_i + w + …) and c_v = −Ω × (h u − w + 2 (h v_i + w + c_p + …)),
-  // and the residual changes by −R_iᵀ times their change.
+  // With u = R_i Δv and w = R_i Δp: c_p = −h Ω × (h v_i + w + …), c_v = −Ω × (h u − w + 2 (h v_i + w + c_p + …)).
+  // The residual changes by −R_iᵀ times the change of c_p and c_v.
   const Scalar h = delta.interval;
   const Matrix3<Scalar> R = i.R_WB.unit_quaternion().toRotationMatrix();
   const Matrix3<Scalar> turn = hat<Scalar>(frame.rate), identity = Matrix3<Scalar>::Identity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Schemes on integrated increments (Δθ, Δv), as inertial units for navigation deliver them. Their axes turn during the
-/// interval; what that does to the sums is called coning (attitude), sculling (velocity) and scrolling (position).
+/// Schemes on integrated increments (Δθ, Δv), as inertial navigation units deliver them. The axes turn during the
+/// interval. The resulting errors are called coning (attitude), sculling (velocity) and scrolling (position).
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace splinertia {
 
-/// Increments as if the axes did not turn: ΔR = exp(Δθ), Δv as measured, Δp = Δv h/2. Order 1.
+/// Treats increments as if the axes did not turn: ΔR = exp(Δθ), Δv as measured, Δp = Δv h/2. Order 1.
 struct UncorrectedIncrements : IncrementScheme<1> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
@@ -19,8 +19,8 @@ struct UncorrectedIncrements : IncrementScheme<1> {
   }
 };
 
-/// Rate and force as if constant over each interval: exact for that, with the rotation of the axes and without coning
-/// and sculling. Order 2.
+/// Rate and force are constant over each interval; exact in that case. Corrects for the rotation of the axes, but not
+/// for coning and sculling. Order 2.
 struct RotationCorrectedIncrements : IncrementScheme<1> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static StepMean<Scalar> moments(const Window& window, std::size_t from) {
@@ -28,11 +28,11 @@ struct RotationCorrectedIncrements : IncrementScheme<1> {
   }
 };
 
-/// Two increments at a time, through which rate and force are linear: order 4. For equal intervals the rotation is
-/// Miller's Δθ₁ + Δθ₂ + 2/3 Δθ₁ × Δθ₂. Unequal ones see curvature as slope, so there a parabola goes through the two
-/// and a neighbour, as it does for a single increment left at the end of a run. Where one interval is below a quarter
-/// of another, a slope would be that of noise: there rate and force are constant over each interval, of order 2 as in
-/// RotationCorrectedIncrements. Miller, JGCD 6 (1983); Savage, JGCD 21 (1998).
+/// Two increments at a time, with rate and force linear over them. Order 4. For equal intervals the rotation vector is
+/// Miller's Δθ₁ + Δθ₂ + 2/3 Δθ₁ × Δθ₂. For unequal ones a line would mistake curvature for slope, so rate and force are
+/// parabolas over the two increments and a neighbour; likewise for a single increment left at the end of a run. If one
+/// interval is below a quarter of another, noise would dominate the slope. Then rate and force are constant over each
+/// interval, and the order is 2 as in RotationCorrectedIncrements. Miller, JGCD 6 (1983); Savage, JGCD 21 (1998).
 struct TwoSampleIncrements : IncrementScheme<3, 2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
@@ -43,19 +43,19 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
     }
     const std::array<Scalar, 3> h{window[0].interval, window[1].interval, last.interval};
     const Scalar step = from == 2 ? h[2] : h[from] + h[from + 1];
-    // The sum of the distances of the middle of the step from the ends of two increments.
+    // Σ (m − t) over the three ends t of a pair of increments, where m is the middle of the step.
     const Scalar offset = from == 2 ? h[1] + h[2] / Scalar(2) : (h[from + 1] - h[from]) / Scalar(2);
-    // A difference is taken of intervals within a factor of four of each other.
+    // Differences are taken only of intervals within a factor of four of each other.
     const auto alike = [&](std::size_t i, std::size_t j) {
       return h[i] <= Scalar(4) * h[j] && h[j] <= Scalar(4) * h[i];
     };
     const std::size_t pair = from == 0 ? 0 : 1;
     using std::abs;
-    const bool straight = abs(offset) <= step * Scalar(1e-6F);  // what curvature adds is as little of that term
+    const bool straight = abs(offset) <= step * Scalar(1e-6F);  // then curvature changes the slope negligibly
     const bool sloped = straight || alike(pair, pair + 1);
     const bool curved = full && !straight && sloped && alike(0, 1) && alike(0, 2) && alike(1, 2);
-    // The slope A' there makes the moment step² A'/12; in divided differences of F = ∫A it is 2 F[0, 1, 2] + 2 offset
-    // F[0, 1, 2, 3].
+    // The moment is step² A'/12 with the slope A' at the middle of the step. In divided differences of F = ∫A,
+    // A' = 2 F[0, 1, 2] + 2 offset F[0, 1, 2, 3].
     const auto moment = [&](auto of) -> Vector3<Scalar> {
       if (!sloped) [[unlikely]] {
         if (from == 2) return Vector3<Scalar>::Zero();
@@ -77,10 +77,12 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
   }
 };
 
-/// Three increments at a time, through which rate and force are parabolas: Ω = Σ Δ + 9/20 [Δ₁, Δ₃] + 27/40 [Δ₂, Δ₃ −
-/// Δ₁] on the Galilean algebra, which makes coning, sculling and scrolling one formula. Order 4. The coefficients are
-/// made for coning, where the attitude drifts with order 6; in other motion the longer step makes the error larger than
-/// that of TwoSampleIncrements. Equal intervals only; others are refused. Miller, JGCD 6 (1983).
+/// Three increments at a time, with rate and force parabolas over them. On the Galilean algebra one formula covers
+/// coning, sculling and scrolling:
+///   Ω = Σ Δ + 9/20 [Δ₁, Δ₃] + 27/40 [Δ₂, Δ₃ − Δ₁]
+/// Order 4. The coefficients are optimised for coning motion, where the attitude drift is of order 6. In other motion
+/// the error is larger than that of TwoSampleIncrements, because the step is longer. Unequal intervals are refused.
+/// Miller, JGCD 6 (1983).
 struct ThreeSampleIncrements : IncrementScheme<3> {
   static constexpr bool needs_equal_intervals = true;
 

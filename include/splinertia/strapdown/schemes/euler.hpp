@@ -6,8 +6,8 @@
 
 namespace splinertia {
 
-/// The explicit Euler method: everything stays over the step as it was at its beginning, and the force does not turn
-/// with the body. Order 1; the reference that every other scheme should beat.
+/// The explicit Euler method: rate and force keep their values at the beginning of the step, and the force does not
+/// turn with the body. Order 1; a baseline that every other scheme should beat.
 ///   ΔR = exp(ω₀ h),  Δv = f₀ h,  Δp = f₀ h²/2
 struct Euler : PointScheme<2> {
   template <typename Scalar, typename Window>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What can be integrated with what, asked before it is tried, so that mistakes are told in one line.
+/// Checks whether a type is a scheme and which samples it takes, so that a mistake gives one clear compiler error.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace splinertia {
 
-/// The window that a scheme is given.
+/// The window of samples that is passed to a scheme.
 template <typename Scheme, typename Scalar, typename Time>
 using SchemeWindow = std::array<typename SampleWindow<Scheme, Scalar, Time>::Sample, Scheme::window>;
 
-/// A type that derives from PointScheme or IncrementScheme.
+/// Has the constants of PointScheme or IncrementScheme, from which schemes derive.
 template <typename Scheme>
 concept PointOrIncrementScheme = requires {
   { Scheme::takes_increments } -> std::convertible_to<bool>;
@@ -26,18 +26,18 @@ concept PointOrIncrementScheme = requires {
   { Scheme::lead } -> std::convertible_to<std::size_t>;
 };
 
-/// Such a type with moments() or increment(), as scheme.hpp has them.
+/// A scheme: also has moments() or increment() as described in scheme.hpp.
 template <typename Scheme, typename Scalar, typename Time>
 concept IntegrationScheme =
     PointOrIncrementScheme<Scheme> && (HasMoments<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>> ||
                                        HasIncrement<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>);
 
-/// What a scheme takes: point samples or increments.
+/// Whether S is what the scheme takes: point samples or increments.
 template <typename S, typename Scheme, typename Scalar, typename Time>
 concept SampleFor = (Scheme::takes_increments && ImuIncrement<S, Scalar, Time>) ||
                     (!Scheme::takes_increments && ImuSample<S, Scalar, Time>);
 
-/// Whether a scheme takes samples of type S; if not, the compiler says what it expects.
+/// Whether a scheme takes samples of type S. If not, a static_assert says what it expects.
 template <typename Scheme, typename Scalar, typename Time, typename S>
 constexpr bool check_sample() {
   constexpr bool good = SampleFor<S, Scheme, Scalar, Time>;

@@ -8,26 +8,26 @@
 
 namespace splinertia {
 
-/// Fourth order: the Magnus expansion on the Galilean group of the cubic through four neighbouring samples, two before
-/// and two after the step; in the first and the last step of a run, the nearest four. Any intervals: the weights are
-/// exact for cubics on the stamps as they are (regular ones have constant weights).
+/// Order 4: the Magnus expansion on the Galilean group for the cubic through four neighbouring samples, two on either
+/// side of the step; in the first and the last step of a run, the nearest four. The weights are exact for cubics at any
+/// stamps; for regular stamps they are constant.
 ///
-/// Intervals that are too unequal: the weights of φ and ν never differ from the trapezoid's by more than h in sum, so
-/// noise is at most doubled (Σ|w| ≤ 2h). Where those of the cubic would, the parabola through the step's two samples
-/// and the nearest one on the side of the longer interval takes its place, and where that would, the straight line.
-/// Between inner samples the cubic stays while no neighbouring interval is below a third of the step's (0.27 of it
-/// where both are equal), so intervals within a factor of three of each other keep order 4. A run of two samples is
-/// integrated with the line, one of three with the parabola.
+/// Very unequal intervals: the weights of φ and ν differ from the trapezoid's by at most h in absolute sum, so noise is
+/// at most doubled (Σ|w| ≤ 2h). If those of the cubic differ by more, the parabola through the step's two samples and
+/// the neighbouring one across the longer interval is used. If those of the parabola do, too, the straight line is
+/// used. Between inner samples the cubic is kept while no neighbouring interval is below a third of the step's (0.27 of
+/// it if both are equal). Intervals within a factor of three of each other therefore keep order 4. A run of two samples
+/// is integrated with the line, one of three with the parabola.
 ///
-/// What limits it: samples must be of a signal that is smooth to third order. Samples of a cubic spline are not (their
-/// third derivative jumps at knots): there, and with noise, it is no better than Midpoint.
+/// Limits: order 4 requires a signal that is smooth to third order. A cubic spline is not, since its third derivative
+/// jumps at knots. For samples of one, and with noise, this scheme is no better than Midpoint.
 struct Magnus4 : PointScheme<4, 1, 1> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
     const Scalar h = step_interval<Scalar>(window, from);
     if (from != 1 || !regular<Scalar>(window, h)) [[unlikely]]
       return moments_anywhere<Scalar>(window, from, h);
-    // regular_weights, with what their symmetry saves.
+    // regular_weights(), using their symmetry.
     const Scalar a = h / Scalar(24), b = h / Scalar(720);
     const auto &w0 = window[0], &w1 = window[1], &w2 = window[2], &w3 = window[3];
     return {(Scalar(13) * (w1.gyro + w2.gyro) - (w0.gyro + w3.gyro)) * a,
@@ -36,13 +36,13 @@ struct Magnus4 : PointScheme<4, 1, 1> {
             (Scalar(63) * (w2.accel - w1.accel) + (w0.accel - w3.accel)) * b, h};
   }
 
-  /// ∫A dt = Σ mean_j A_j and ∫sA dt/h = Σ moment_j A_j over the step.
+  /// ∫A dt = Σ mean_j A_j and ∫sA dt/h = Σ moment_j A_j over the step, with the time s from its middle.
   template <typename Scalar>
   struct Weights {
     std::array<Scalar, 4> mean, moment;
   };
 
-  /// Whether all three intervals are h, to a tolerance that puts an error of at most as much into the smallest weight.
+  /// Whether all three intervals are h to within 1e-6 h, which changes no weight by more than 3e-6 of its value.
   template <typename Scalar, typename Window>
   [[nodiscard]] static bool regular(const Window& window, const Scalar& h) {
     using std::abs;
@@ -68,7 +68,7 @@ struct Magnus4 : PointScheme<4, 1, 1> {
     return {{a, Scalar(-5) * a, Scalar(19) * a, Scalar(9) * a}, {b, Scalar(-3) * b, Scalar(-57) * b, Scalar(59) * b}};
   }
 
-  /// Those for samples at any four times, s.
+  /// The weights for samples at any four times, s.
   template <typename Scalar>
   [[nodiscard]] static Weights<Scalar> general_weights(const std::array<Scalar, 4>& times, std::size_t from,
                                                        const Scalar& h) {
@@ -79,7 +79,7 @@ struct Magnus4 : PointScheme<4, 1, 1> {
       return std::array<Scalar, 2>{c[0] * h + c[2] * a, c[1] * a + c[3] * b};
     };
     const auto both = [](const auto& of) { return Weights<Scalar>{of[0], of[1]}; };
-    // Intervals of which stable_weights() would keep the cubic, too.
+    // For such intervals stable_weights() would return the cubic as well.
     const Scalar mild = Scalar(1) / Scalar(3);
     if (from == 1 && s[1] - s[0] >= mild && s[3] - s[2] >= mild) [[likely]]
       return both(detail::lagrange_weights(s, detail::Nodes<4>{0}, integrals));
@@ -89,7 +89,7 @@ struct Magnus4 : PointScheme<4, 1, 1> {
   }
 
  private:
-  // The first and the last steps of a run, and irregular ones: out of the way of the others.
+  // The first and the last steps of a run, and irregular ones; not inlined, because they are rare.
   template <typename Scalar, typename Window>
   [[nodiscard, gnu::noinline, gnu::cold]] static StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
                                                                                       Scalar h) {

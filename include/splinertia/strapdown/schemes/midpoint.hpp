@@ -5,8 +5,8 @@
 
 namespace splinertia {
 
-/// The mean of both ends of the step, held, and the exact motion under it. Order 2, the limit of any scheme that sees
-/// two neighbouring samples.
+/// The mean of the readings at both ends, constant over the step, and the exact motion for it. Order 2, which is the
+/// highest for a scheme that uses two neighbouring samples.
 ///   φ = (ω₀ + ω₁) h/2,  ν = (f₀ + f₁) h/2,  ΔR = exp(φ),  Δv = J(φ) ν,  Δp = h H(φ) ν
 struct Midpoint : PointScheme<2> {
   template <typename Scalar, typename Window>

@@ -9,9 +9,9 @@
 
 namespace splinertia {
 
-/// The motion over h of a body with rate ω and force f at the beginning, middle and end, by the classical Runge–Kutta
-/// method of order 4. The attitude is advanced in the Lie algebra, φ' = J_r⁻¹(φ) ω (Munthe-Kaas), with the first terms
-/// J_r⁻¹ ≈ I + φ^/2 + φ^²/12, of which the next is of fifth order; its exponential is exact.
+/// The motion over h by the classical Runge–Kutta method of order 4, from rate (gyro) and force (accel) at the
+/// beginning, middle and end. The attitude is integrated in the Lie algebra, φ' = J_r⁻¹(φ) ω (Munthe-Kaas), with
+/// J_r⁻¹ ≈ I + φ^/2 + φ^²/12, whose next term contributes at fifth order. The exponential of φ is exact.
 template <typename Scalar>
 [[nodiscard]] NavIncrement<Scalar> runge_kutta4_step(const std::array<Vector3<Scalar>, 3>& gyro,
                                                      const std::array<Vector3<Scalar>, 3>& accel, const Scalar& h) {
@@ -27,15 +27,15 @@ template <typename Scalar>
   const Vector3<Scalar> phi3 = k3 * h;
   const Vector3<Scalar> k4 = rate(phi3, gyro[2]);
   const auto rotation = rotation_exp<Scalar>((k1 + (k2 + k3) * Scalar(2) + k4) * sixth);
-  // The accelerations of the four stages; velocity and position are quadratures of them.
+  // Accelerations at the stages; velocity and position are quadratures of them.
   const Vector3<Scalar> a2 = rotate<Scalar>(rotation_exp<Scalar>(k1 * half), accel[1]);
   const Vector3<Scalar> a3 = rotate<Scalar>(rotation_exp<Scalar>(phi2), accel[1]);
   const Vector3<Scalar> a4 = rotate<Scalar>(rotation_exp<Scalar>(phi3), accel[2]);
   return {rotation, (accel[0] + (a2 + a3) * Scalar(2) + a4) * sixth, (accel[0] + a2 + a3) * (sixth * h), h};
 }
 
-/// Runge–Kutta of order 4 with samples interpolated linearly between the two ends of a step, which limits it to order
-/// 2: what many estimators do.
+/// The Runge–Kutta method of order 4 with linear interpolation between the two samples of a step, as in many
+/// estimators. The interpolation limits it to order 2.
 struct RungeKutta4 : PointScheme<2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
@@ -48,15 +48,15 @@ struct RungeKutta4 : PointScheme<2> {
   }
 };
 
-/// Runge–Kutta of order 4 over two intervals at a time, with the sample between them in the middle: order 4 without
-/// interpolation. Unequal intervals take the middle from the cubic through four samples, as does a single interval left
-/// at the end of a run.
+/// The Runge–Kutta method of order 4 over two intervals at a time, with the sample between them as the middle. Order 4,
+/// without interpolation. For unequal intervals, and for a single interval left at the end of a run, the middle is
+/// interpolated by the cubic through four samples.
 ///
-/// Intervals that are too unequal: the weights of the middle never differ from those of the straight line between the
-/// two samples about it by more than 5/2 in sum. Where those of the cubic would, the parabola through the samples of
-/// the step takes its place, and where that would, the line. Then noise is at most about twice Midpoint's, whatever the
-/// stamps. Intervals within a factor of two of each other always keep the cubic, and so order 4; within a factor of
-/// three nearly all do. A run of two samples is integrated with the line, one of three with the parabola.
+/// Very unequal intervals: the weights of the middle differ from those of the straight line between the two samples
+/// about it by at most 5/2 in absolute sum. If those of the cubic differ by more, the parabola through the samples of
+/// the step is used. If those of the parabola do, too, the line is used. Noise is then at most about twice Midpoint's
+/// for any stamps. Intervals within a factor of two of each other always keep the cubic, and so order 4; within a
+/// factor of three nearly all do. A run of two samples is integrated with the line, one of three with the parabola.
 struct RungeKutta4DoubleStep : PointScheme<4, 2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {

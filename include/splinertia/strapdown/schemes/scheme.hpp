@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// What an integration scheme is: a type that turns a window of neighbouring samples into what the body has done from
-/// one to the next, without heap, state or virtual calls. It derives from PointScheme or IncrementScheme, which say how
-/// many samples it looks at, and has one of
+/// An integration scheme is a type that turns a window of neighbouring samples into the motion over a step, without
+/// heap, state or virtual calls. It derives from PointScheme or IncrementScheme, which say how many samples it looks
+/// at, and has one of
 ///
 ///   static StepMean | StepMoments moments(window, from)   the integrals of rate and force over the step
 ///   static NavIncrement increment(window, from)           the motion itself
 ///
-/// as templates of the scalar. Of point samples the step goes from window[from] to window[from + stride] or to the last
-/// one, whichever comes first; of increments it is window[from] … window[from + stride − 1], or what there is of them.
-/// The window of increments is not full where fewer have come: then the interval of what is missing is 0.
+/// as templates of the scalar. For point samples the step goes from window[from] to window[from + stride], or to the
+/// last sample of the window if that comes first. For increments it consists of up to `stride` of them from
+/// window[from] on. If fewer increments have come than the window holds, the missing ones have an interval of 0.
 #pragma once
 
 #include <concepts>
@@ -21,36 +21,36 @@
 namespace splinertia {
 
 /// A scheme on point samples: it looks at `Window` of them, advances by `Stride` intervals at a time, and needs `Lead`
-/// samples beyond the end of a step except in the last ones of a run.
+/// samples beyond the end of a step, except in the last steps of a run.
 template <std::size_t Window, std::size_t Stride = 1, std::size_t Lead = 0>
 struct PointScheme {
   static constexpr bool takes_increments = false, needs_equal_intervals = false;
   static constexpr std::size_t window = Window, stride = Stride, lead = Lead;
 };
 
-/// A scheme on integrated increments: it looks at `Window` of them and advances by `Stride` at a time. One that
-/// `needs_equal_intervals` is given no others.
+/// A scheme on integrated increments: it looks at `Window` of them and advances by `Stride` at a time. With
+/// needs_equal_intervals, unequal ones are refused.
 template <std::size_t Window, std::size_t Stride = Window>
 struct IncrementScheme {
   static constexpr bool takes_increments = true, needs_equal_intervals = false;
   static constexpr std::size_t window = Window, stride = Stride, lead = 0;
 };
 
-/// From window[from] to the next sample, s.
+/// The time from window[from] to the next sample, s.
 template <typename Scalar, typename Window>
 [[nodiscard]] Scalar step_interval(const Window& window, std::size_t from) {
   return to_seconds<Scalar>(window[from + 1].time - window[from].time);
 }
 
-/// The integrals over a step of h of the angular velocity, φ = ∫ω dt (rad), and of the specific force, ν = ∫f dt (m/s),
-/// both in the axes of the body as it turns. An increment of an IMU is one, too.
+/// The integrals over a step of the angular velocity, φ = ∫ω dt (rad), and of the specific force, ν = ∫f dt (m/s), both
+/// in the turning axes of the body; `interval` is the length h, s. An increment of an IMU is of this form.
 template <typename Scalar>
 struct StepMean {
   Vector3<Scalar> phi, nu;
   Scalar interval;
 };
 
-/// The same with first moments about the middle of the step: φ₁ = ∫sω dt/h, ν₁ = ∫sf dt/h.
+/// The same with first moments: φ₁ = ∫sω dt/h, ν₁ = ∫sf dt/h, where s is the time from the middle of the step.
 template <typename Scalar>
 struct StepMoments {
   Vector3<Scalar> phi, nu;
@@ -58,8 +58,9 @@ struct StepMoments {
   Scalar interval;
 };
 
-/// The logarithm of the motion over a step to fourth order: Ω = M₀ + [M₀, M₁] for X' = X A, with the moments M₀ = (φ,
-/// ν, 0, h), M₁ = (φ₁, ν₁, 0, 0). Magnus (1954); Iserles et al., "Lie-group methods", Acta Numerica 9 (2000), 4.
+/// The logarithm of the motion over a step, X' = X A, to fourth order:
+///   Ω = M₀ + [M₀, M₁],  M₀ = (φ, ν, 0, h),  M₁ = (φ₁, ν₁, 0, 0)
+/// Magnus (1954); Iserles et al., "Lie-group methods", Acta Numerica 9 (2000), 4.
 template <typename Scalar>
 [[nodiscard]] GalileanVector<Scalar> magnus4(const StepMoments<Scalar>& m) {
   return {m.phi + m.phi.cross(m.phi_moment), m.nu + m.phi.cross(m.nu_moment) + m.nu.cross(m.phi_moment),
@@ -75,18 +76,18 @@ template <typename Scalar>
   return galilean_exp(magnus4(m));
 }
 
-/// Whether a scheme gives the integrals of rate and force.
+/// Whether a scheme has moments(), the integrals of rate and force.
 template <typename Scheme, typename Scalar, typename Window>
 concept HasMoments =
     requires(const Window& window) { increment_from(Scheme::template moments<Scalar>(window, std::size_t{0})); };
 
-/// Whether a scheme gives the motion itself.
+/// Whether a scheme has increment(), the motion itself.
 template <typename Scheme, typename Scalar, typename Window>
 concept HasIncrement = requires(const Window& window) {
   { Scheme::template increment<Scalar>(window, std::size_t{0}) } -> std::convertible_to<NavIncrement<Scalar>>;
 };
 
-/// What the body has done in the step of a scheme from window[from] on.
+/// The motion over the step of a scheme that begins at window[from].
 template <typename Scheme, typename Scalar, typename Window>
 [[nodiscard]] NavIncrement<Scalar> step_increment(const Window& window, std::size_t from) {
   return flattened<Scalar>([&] {

@@ -6,9 +6,9 @@
 
 namespace splinertia {
 
-/// The mean of the accelerations at both ends, each with its own attitude: what VINS-Mono calls midpoint. Order 2.
+/// The mean of the accelerations at both ends, each turned by its own attitude. VINS-Mono calls this midpoint. Order 2.
 ///   ΔR = exp((ω₀ + ω₁) h/2),  Δv = (f₀ + ΔR f₁) h/2,  Δp = Δv h/2
-/// Qin, Li, Shen, "VINS-Mono", IEEE TRO 34 (2018), (7), with the exponential in place of a first-order quaternion.
+/// Qin, Li, Shen, "VINS-Mono", IEEE TRO 34 (2018), (7), with the exponential instead of a first-order quaternion.
 struct Trapezoid : PointScheme<2> {
   template <typename Scalar, typename Window>
   [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {

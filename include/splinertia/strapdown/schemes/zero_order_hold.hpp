@@ -5,8 +5,8 @@
 
 namespace splinertia {
 
-/// The exact motion of a body whose sensors keep their readings from one sample to the next. Order 1 for point samples
-/// of anything that changes; exact for readings that are held.
+/// The exact motion for readings that stay constant from each sample to the next. Order 1 for point samples of readings
+/// that change.
 ///   ΔR = exp(ω₀ h),  Δv = J(ω₀ h) f₀ h,  Δp = H(ω₀ h) f₀ h²
 struct ZeroOrderHold : PointScheme<2> {
   template <typename Scalar, typename Window>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// When and by how much a signal changed its mean: the second half of find_steps().
+/// Finds when and by how much a signal changed its mean: the second half of find_steps().
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -20,15 +20,15 @@ namespace splinertia::allan {
 struct StepFit {
   std::int64_t begin;     ///< first sample that is no longer at the level before
   std::int64_t duration;  ///< samples on the way from one level to the other, 0 for a sudden step
-  double height;          ///< level after − level before, without a drift on both sides
-  double difference;      ///< level after − level before, with it
-  double scatter;         ///< what averages on both sides scatter by, as an error of the height: slow noise is in it
-  double standard_error;  ///< of the height: scatter, and what a drift may have added
-  double samples;         ///< that the shorter of the two levels was averaged over
-  bool is_knock;          ///< the level is left again after `duration`, at most longest_knock: no step, and no height
+  double height;          ///< level after − level before, with the drift common to both sides removed
+  double difference;      ///< level after − level before, with the drift left in
+  double scatter;         ///< error of the height from the scatter of averages on both sides, with slow noise
+  double standard_error;  ///< of the height: scatter, and the error of the drift
+  double samples;         ///< number of samples in the average of the shorter level
+  bool is_knock;          ///< the level is left again after `duration`, at most longest_knock: no step, no height
 };
 
-/// A level that is left again within so many samples, 1 s at 200 Hz, is a knock and no step.
+/// A level that is left again within this many samples, 1 s at 200 Hz, is a knock and no step.
 inline constexpr std::int64_t longest_knock = 200;
 
 /// Fits one change to the samples of a window. The change is a ramp between two levels, of any duration from 0 on.
@@ -36,7 +36,7 @@ class StepFitter {
  public:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  /// The window less a line of this slope [per sample]. Keeps a reference to the window.
+  /// Subtracts a line of this slope [per sample] from the window. Keeps a reference to the window.
   explicit StepFitter(std::reference_wrapper<const std::vector<double>> window, double slope = 0)
       : window_(window), size_(static_cast<std::int64_t>(window_.size())) {
     double mean = 0;
@@ -55,8 +55,8 @@ class StepFitter {
     double_sums_.push_back(double_sums_.back() + sums_.back());
   }
 
-  /// The change that begins and ends within `reach` samples of `place`, with up to 2·`reach` samples on either side for
-  /// the levels. Its error is infinite if a level has fewer than 16 samples. None if the window has fewer than 32
+  /// The change that begins and ends within `reach` samples of `place`, with levels from up to 2·`reach` samples on
+  /// either side. Its error is infinite if a level has fewer than 16 samples. Nothing if the window has fewer than 32
   /// samples.
   [[nodiscard]] std::optional<StepFit> fit(std::int64_t place, std::int64_t reach) const {
     const Range range{(std::max)(least_side, place - reach), (std::min)(size_ - least_side, place + reach)};
@@ -81,14 +81,14 @@ class StepFitter {
   };
   struct Located {
     Change change;
-    std::int64_t reach;  ///< how far it is the only one
+    std::int64_t reach;  ///< range within which it is the only change
     bool is_knock;       ///< the level is left again at once
   };
   static constexpr std::int64_t least_side = 16;
   static constexpr double clearly_better = 0.5;
-  static constexpr double clearly = 25;  ///< of a gain over the variance: five standard deviations squared
+  static constexpr double clearly = 25;  ///< gain over variance: five standard deviations squared
 
-  /// The change within a range that lowers the sum of squares the most. It is sudden unless a duration is better by
+  /// The change within a range that lowers the sum of squares the most. It is sudden unless some duration is better by
   /// five standard deviations.
   [[nodiscard]] Located locate(Range range, std::int64_t reach) const {
     const Change sudden = best_of_duration(range, 0);
@@ -109,7 +109,7 @@ class StepFitter {
     const bool returns = rises({0, size_}, sudden.begin) != rises(is_earlier ? left : right, second.begin);
     if (returns && distance <= longest_knock && second.gain > sudden.gain / 2)
       return {{first, distance, 0}, reach, true};
-    // Two sudden steps may do better than one that takes long: then the window is too wide for the higher one.
+    // Two sudden steps may be better than a slow one: the window is then too wide for the higher of them.
     if (best.duration == 0 || sudden.gain + second.gain <= best.gain + least) return {best, reach, false};
     return {sudden, (std::min)(reach, distance / 2), false};
   }
@@ -121,7 +121,7 @@ class StepFitter {
     return after * static_cast<double>(place - samples.begin) > before * static_cast<double>(samples.end - place);
   }
 
-  /// The slope of the samples outside a range, 0 where it is less than three standard errors.
+  /// The slope of the samples outside a range, 0 if it is less than three standard errors.
   [[nodiscard]] double slope_outside(Range range) const {
     double xx = 0, xy = 0, yy = 0;
     int count = 0;
@@ -157,7 +157,7 @@ class StepFitter {
     return best;
   }
 
-  /// Climbs from a change of the grid to the best one near it.
+  /// Searches from a change of the grid for the best one near it.
   [[nodiscard]] Change refine(Range range, Change best) const {
     for (std::int64_t stride = best.duration / 8; stride >= 1;) {
       const Change last = best;
@@ -172,7 +172,7 @@ class StepFitter {
     return best;
   }
 
-  /// The sudden step within these samples alone.
+  /// The best sudden step within these samples alone.
   [[nodiscard]] Change best_split(Range samples) const {
     Change best{samples.begin, 0, 0};
     const double total = at(sums_, samples.end) - at(sums_, samples.begin), count = static_cast<double>(samples.size());
@@ -185,22 +185,22 @@ class StepFitter {
     return best;
   }
 
-  /// The levels on both sides and what they say of the height.
+  /// The levels on both sides and the height that follows from them.
   struct Levels {
-    double height = 0;           ///< without a drift
-    double difference = 0;       ///< with it
+    double height = 0;           ///< drift removed
+    double difference = 0;       ///< drift left in
     double scatter = infinite;   ///< standard error of the height
-    double error = infinite;     ///< that and what a drift may add, root of the sum of squares
-    double variance = infinite;  ///< of a sample, as averages of many samples scatter
+    double error = infinite;     ///< scatter and the error of the drift, root of the sum of squares
+    double variance = infinite;  ///< of a sample, from the scatter of averages
     double samples = 0;          ///< of the shorter side
   };
 
-  /// From windows of two, one and half times the reach: the widest, unless another one has a clearly smaller error. A
-  /// wide window averages more, a narrow one leaves less to drifts and random walks.
+  /// Levels from windows of two, one and half times the reach: the widest, unless another one has a clearly smaller
+  /// error. A wide window averages more, a narrow one leaves less to drifts and random walks.
   [[nodiscard]] Levels levels(const Change& change, std::int64_t reach) const {
     Levels best;
     for (const std::int64_t width : {2 * reach, reach, reach / 2}) {
-      const std::int64_t room = change.duration / 4;  // for a change that begins or ends smoothly
+      const std::int64_t room = change.duration / 4;  // in case the change begins or ends smoothly
       const std::int64_t before = change.begin - room, after = change.begin + change.duration + room;
       const Range left{std::max<std::int64_t>(0, before - width), before},
           right{after, (std::min)(size_, after + width)};
@@ -211,7 +211,7 @@ class StepFitter {
     return best;
   }
 
-  static constexpr int pieces = 8;  ///< of a side, of which averages are compared
+  static constexpr int pieces = 8;  ///< pieces of a side; their averages are compared
 
   /// Averages of the pieces of one side: their mean place and value, and the products about these, times samples.
   struct Side {
@@ -234,8 +234,8 @@ class StepFitter {
     double samples, x, y, xx = 0, xy = 0, yy = 0;
   };
 
-  /// The slope common to both sides is taken off as far as it is certain, by the factor 1 − 3/t² of James and Stein,
-  /// t being the slope over its standard error. What is left of it is in the error.
+  /// The slope common to both sides is subtracted as far as it is certain, by the factor 1 − 3/t² of James and Stein,
+  /// with t the slope over its standard error. The error includes what is left of it.
   [[nodiscard]] static Levels of_sides(const Side& left, const Side& right) {
     const double spread = left.xx + right.xx, slope = (left.xy + right.xy) / spread, distance = right.x - left.x;
     const double products = left.yy + right.yy;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Where a signal may have changed its mean: the first half of find_steps().
+/// Finds where a signal may have changed its mean: the first half of find_steps().
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -14,30 +14,29 @@
 
 namespace splinertia::allan {
 
-/// Samples that find_steps() averages before it looks for changes.
+/// Block length of find_steps(): it averages this many samples before it looks for changes.
 inline constexpr std::int64_t step_block = 16;
 
-/// Differences of averages up to here are rounding errors of the sums they come from, where the largest sample is
-/// near 1.
+/// Differences of averages up to this are rounding errors of the running sums, where the largest sample is near 1.
 inline constexpr double step_rounding = 1e-10;
 
 /// A place at which the means on both sides differ more than they usually do in this signal. All in blocks.
 struct StepCandidate {
   std::int64_t place;   ///< first block after the change
-  std::int64_t width;   ///< of the windows that were compared
-  std::int64_t before;  ///< blocks before the place that the comparison used
-  std::int64_t after;   ///< blocks after it
-  double ratio;         ///< over the usual difference
-  double excess;        ///< ratio over the threshold, >= 1
+  std::int64_t width;   ///< width of the compared windows
+  std::int64_t before;  ///< blocks used before the place
+  std::int64_t after;   ///< blocks used after it
+  double ratio;         ///< difference over the usual difference
+  double excess;        ///< difference over the threshold, >= 1
 };
 
 /// The |z| that the largest of `trials` correlated normal numbers exceeds with this probability, where the unit of z
-/// was estimated with so many degrees of freedom.
+/// was estimated with this many degrees of freedom.
 ///
-/// Upcrossings of a Gaussian process with covariance 1 − c|t| over a length T: P = 2 T c z φ(z) (Pickands, "Upcrossing
-/// probabilities for stationary Gaussian processes", Trans. AMS 145 (1969)); trials = T c. Student's t from z by the
-/// inverse of z² = ν ln(1 + t²/ν) (Wallace, "Bounds on normal approximations to Student's and the chi-square
-/// distributions", Ann. Math. Statist. 30 (1959)).
+/// For z, the upcrossings of a Gaussian process with covariance 1 − c|t| over a length T: P = 2 T c z φ(z),
+/// trials = T c (Pickands, "Upcrossing probabilities for stationary Gaussian processes", Trans. AMS 145 (1969)). For
+/// Student's t from z, the inverse of z² = ν ln(1 + t²/ν) (Wallace, "Bounds on normal approximations to Student's and
+/// the chi-square distributions", Ann. Math. Statist. 30 (1959)).
 [[nodiscard]] inline double step_threshold(double trials, double probability, double degrees_of_freedom) {
   double z = 5;
   for (int i = 0; i < 8; ++i) {
@@ -46,9 +45,9 @@ struct StepCandidate {
   return std::sqrt(degrees_of_freedom * std::expm1(z * z / degrees_of_freedom));
 }
 
-/// The standard deviation that most of the values suggest: of their median and their 80 % quantile the larger one, as
-/// of a normal distribution. A fifth of the values may be anything. Reorders the values. 0 for none, and where they
-/// are rounding errors.
+/// The standard deviation that most of the magnitudes suggest: the larger of two estimates for a normal distribution,
+/// from the median and from the 80 % quantile. A fifth of the values may be anything. Reorders the values. 0 for no
+/// values, and for rounding errors.
 [[nodiscard]] inline double usual_size(std::vector<double>& magnitudes) {
   if (magnitudes.empty()) return 0;
   const auto quantile = [&](double share) {
@@ -61,8 +60,8 @@ struct StepCandidate {
   return size > step_rounding ? size : 0;
 }
 
-/// Replaces blocks that stick out of their surroundings: knocks of up to two blocks, which are no change of the mean.
-/// A block may lie anywhere between the medians of the five blocks before and after it, and six usual distances beyond.
+/// Clips blocks that stick out of their surroundings: knocks of up to two blocks, which do not change the mean. A block
+/// may lie anywhere between the medians of the five blocks before and after it, and up to six usual distances beyond.
 inline void clip_knocks(std::vector<double>& means) {
   constexpr std::size_t side = 5;
   if (means.size() < 2 * side + 1) return;
@@ -88,8 +87,8 @@ inline void clip_knocks(std::vector<double>& means) {
 /// Compares the means of neighbouring windows of many widths, at every eighth of a width.
 class StepScan {
  public:
-  /// Of the means of blocks. `false_alarms` is the probability of any candidate in Gaussian noise. `least` is the
-  /// smallest height of interest, which is what counts where the signal is usually constant; 0 for none.
+  /// Scans the means of blocks. `false_alarms` is the probability of any candidate in Gaussian noise. `least` is the
+  /// smallest height of interest, which counts where the signal is usually constant; 0 for none.
   StepScan(const std::vector<double>& means, double false_alarms, double least)
       : blocks_(static_cast<std::int64_t>(means.size())), least_(least) {
     sums_.reserve(means.size() + 1);
@@ -109,9 +108,9 @@ class StepScan {
   [[nodiscard]] const std::vector<StepCandidate>& candidates() const { return candidates_; }
 
  private:
-  /// Near the ends a drift that bends is told from a step only over short times.
+  /// Near the ends, only over short times can a drift that bends be told from a step.
   static constexpr std::int64_t widest_at_the_ends = 1024 / step_block;
-  /// Of the differences of a width, so many are looked at for the usual size.
+  /// The usual size is measured on about this many differences of a width.
   static constexpr std::int64_t sample_size = 8192;
 
   [[nodiscard]] double sum(std::int64_t begin, std::int64_t end) const {
@@ -119,14 +118,14 @@ class StepScan {
   }
 
   /// Mean after − mean before, less a third of the difference of the windows next to these: 2/3 of a step's height, 0
-  /// for any parabola. As a drift that bends little has no effect, warming up is no step.
+  /// for any parabola. A drift that bends little has no effect, so that warming up is no step.
   [[nodiscard]] double inside(std::int64_t i, std::int64_t w) const {
     const double inner = sum(i, i + w) - sum(i - w, i), outer = sum(i + w, i + 2 * w) - sum(i - 2 * w, i - w);
     return (inner - outer / 3) / static_cast<double>(w);
   }
 
   /// Mean of w after − mean of w before, less the drift on one side alone (direction 1: after): a step's height, 0 for
-  /// a line. The window on the other side need not reach further than w.
+  /// a line. On the other side only a window of w is needed.
   [[nodiscard]] double at_end(std::int64_t i, std::int64_t w, std::int64_t direction) const {
     const double inner = sum(i, i + w) - sum(i - w, i);
     const double drift =
@@ -142,13 +141,13 @@ class StepScan {
     return usual_size(magnitudes_);
   }
 
-  /// Degrees of freedom of the usual size. Of simulated white noise, random walks and sums of both, the largest of all
-  /// differences over the usual size exceeds the threshold that these give less often than it is for.
+  /// Degrees of freedom of the usual size. With these, the largest difference in simulated white noise, random walks
+  /// and sums of both exceeds the threshold less often than the requested probability.
   [[nodiscard]] double degrees_of_freedom(std::int64_t width) const {
     return 2 * static_cast<double>(blocks_) / static_cast<double>(width);
   }
 
-  /// Whether the differences two widths further on, or on both sides, are like this one: of a step they are not.
+  /// Whether the differences two widths away, on one or both sides, are like this one, which they are not for a step.
   [[nodiscard]] bool is_drift(std::int64_t i, std::int64_t w) const {
     const bool early = i - 4 * w < 0;
     const bool late = i + 4 * w > blocks_;
@@ -163,7 +162,7 @@ class StepScan {
     const std::int64_t first = 2 * w, last = blocks_ - 2 * w;
     const auto difference = [&](std::int64_t i) { return inside(i, w); };
     const double spread = usual(first, last, w, difference);
-    // c of step_threshold() is 1.75/w: of −1, 3, −3, 1 as weights of four windows of white noise.
+    // c of step_threshold() is 1.75/w, for the weights −1, 3, −3, 1 of four windows of white noise.
     const double trials = 1.75 * static_cast<double>(blocks_) / static_cast<double>(w);
     const double threshold =
         (std::max)(step_threshold(trials, probability, degrees_of_freedom(w)) * spread, spread > 0 ? 0 : least_ / 2);
@@ -176,7 +175,7 @@ class StepScan {
   }
 
   void scan_ends(std::int64_t w, double probability) {
-    constexpr double trials = 4;  // as of scan_inside(), over the width of a window
+    constexpr double trials = 4;  // as in scan_inside(), over the width of a window
     for (const std::int64_t direction : {1, -1}) {
       const auto difference = [&](std::int64_t i) { return at_end(i, w, direction); };
       const std::int64_t before = direction > 0 ? w : 4 * w, after = 5 * w - before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// How strongly a curve accelerates beside a span that no pose measures, as the prior that bridges the span.
+/// The spectral density of a curve's acceleration beside a span without poses. It sets the prior that bridges the span.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,12 @@ struct Anchors {
   std::vector<double> before{}, behind{};
 };
 
-/// Times on the measured parts of a curve beside a span, a `step` apart and the first a `guard` away from the span, so
-/// that one wrong pose at its edge moves none of them. A measured part shorter than a step has one, in its middle.
-/// `direction` is −1 towards the start of the curve and 1 towards its end; `from` is the measured part beside the span.
+/// Times on the measured parts of a curve to one side of a span, nearest first, at most 9. `direction` is −1 towards
+/// the start of the curve and 1 towards its end; `from` is the index of the measured part beside the span.
+///
+/// The times in a part are one step apart: at most `longest_step`, but at least `knot_interval`. The first is up to
+/// one knot interval away from the near end of the part, so that one wrong pose there affects none of them. A measured
+/// part shorter than a step has one time, in its middle.
 [[nodiscard]] inline std::vector<double> anchors_beside(const std::vector<MeasuredPart>& parts, std::ptrdiff_t from,
                                                         int direction, double longest_step, double knot_interval) {
   constexpr std::size_t most = 9;
@@ -43,26 +46,27 @@ struct Anchors {
   return anchors;
 }
 
-/// The spectral density of the second derivative (order 2: of the first) of a curve at the time scale of a span, of
-/// each component: m²/s⁴/Hz and rad²/s⁴/Hz. A curve whose second derivative is white noise of density S changes its
-/// slope between two neighbouring intervals of lengths τ₁ and τ₂, from one mean over them to the other, by
+/// Estimates the spectral density of the second derivative (order 2: first derivative) of a curve at the time scale of
+/// a span, per component: m²/s⁴/Hz and rad²/s⁴/Hz. If the second derivative is white noise of density S, the mean
+/// slopes over two neighbouring intervals of lengths τ₁ and τ₂ differ by
 ///
 ///   D = x₂₁/τ₂ − x₁₀/τ₁,   E D² = S (τ₁ + τ₂)/3 + σ² (1/τ₁² + 1/τ₂² + (1/τ₁ + 1/τ₂)²)
 ///
-/// where σ is the standard deviation of a value of the curve. The result is the largest S of those before the span
-/// (their mean), behind it, and of the two changes of slope into and out of it; and at least the S at which the motion
-/// would be as large as the noise, since less cannot be seen.
+/// where σ is the standard deviation of a value of the curve. The result is the largest of four estimates of S: the
+/// mean over the changes of slope before the span, the mean over those after it, and the changes of slope into and out
+/// of the span. It is at least the S at which the motion would be as large as the noise, because less is not
+/// observable.
 template <typename Curve>
 class AccelerationDensity {
  public:
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
 
-  /// `deviation` is σ. Keeps the curve by reference.
+  /// `deviation` is σ. Stores a reference to the curve.
   AccelerationDensity(std::reference_wrapper<const Curve> curve, const Tangent<G>& deviation)
       : curve_(curve), variance_(deviation.cwiseAbs2()) {}
 
-  /// None if there are too few anchors for any change of slope.
+  /// The density at the scale of the anchors. Empty if there are too few anchors for any change of slope.
   [[nodiscard]] std::optional<Tangent<G>> around(const Anchors& anchors) {
     start();
     add_side(anchors.before);
@@ -78,10 +82,10 @@ class AccelerationDensity {
     return largest_.cwiseMax(noise_);
   }
 
-  /// The same at the time scale of `near`, which are anchors nearer together than the span is long: the largest S of
-  /// both sides, and that of the acceleration which the cubic across the span has at its ends. Motion that is smooth
-  /// within the span changes its slope by less at shorter times than a second derivative of white noise would. None if
-  /// there is no change of slope on either side.
+  /// The density at the time scale of `nearby`, anchors closer together than the span is long: the largest of the S of
+  /// both sides and the S of the acceleration that the cubic across the span has at its ends. Motion that is smooth
+  /// within the span changes its slope over short times by less than a white second derivative would. Empty unless
+  /// there is a change of slope on both sides, and for order 2.
   [[nodiscard]] std::optional<Tangent<G>> at_scale_of(const Anchors& nearby) {
     if (!changes_of_slope || nearby.before.size() < times || nearby.behind.size() < times) return std::nullopt;
     start();
@@ -114,7 +118,7 @@ class AccelerationDensity {
     return increment<G>(value(from), value(to)) / static_cast<Scalar>(to - from);
   }
 
-  /// S of one change of slope, less what noise explains of it, and that.
+  /// S of one change of slope without the share of the noise, and that share.
   struct Change {
     Tangent<G> density, noise;
   };
@@ -136,7 +140,7 @@ class AccelerationDensity {
     take(c.density, c.noise);
   }
 
-  /// The mean over the changes of one side.
+  /// Adds the mean over the changes of slope on one side.
   void add_side(const std::vector<double>& anchors) {
     Tangent<G> density = Tangent<G>::Zero(), noise = Tangent<G>::Zero();
     std::size_t count = 0;

@@ -15,8 +15,8 @@
 
 namespace splinertia {
 
-/// The unknowns of a BandedSystem: a block of Dof numbers for each control point, and Border numbers that all of them
-/// may meet.
+/// The unknowns of a BandedSystem: a block of Dof numbers for each control point, and Border numbers that may couple
+/// with all of them.
 template <typename Scalar, int Dof, int Border>
 struct BandedVector {
   std::vector<Eigen::Matrix<Scalar, Dof, 1>> blocks;
@@ -34,13 +34,13 @@ struct BandedVector {
   }
 };
 
-/// Normal equations A x = b of least squares over the control points of a spline of order Reach + 1: each meets only
-/// the Reach before and behind it, and the Border unknowns that belong to the whole curve (a bias, a time offset).
-/// Memory and time are linear in the number of control points.
+/// Normal equations A x = b of least squares over the control points of a spline of order Reach + 1. Each control point
+/// couples only with the Reach before and after it, and with the Border unknowns of the whole curve (a bias, a time
+/// offset). Memory and time are linear in the number of control points.
 ///
 ///       | D  .        B |
 ///   A = | L  D  .     B |        D, L: Dof × Dof,   B: Dof × Border,   C: Border × Border
-///       | L  L  D  .  B |        of D and C the lower triangles count
+///       | L  L  D  .  B |        only the lower triangles of D and C are used
 ///       | Bᵀ Bᵀ Bᵀ    C |
 template <typename Scalar_, int Dof, int Reach, int Border = 0>
 class BandedSystem {
@@ -70,8 +70,8 @@ class BandedSystem {
     right.border.setZero();
   }
 
-  /// Adds |r + Σ J_i δ_i + J_border δ_border|² to what is minimised by A δ = b; the first of the N blocks is `first`.
-  /// Where J has fewer columns than Dof, they are those from `column` on and the others are zero.
+  /// Adds |r + Σ J_i δ_i + J_border δ_border|² to the cost whose minimum solves A δ = b. `first` is the index of the
+  /// first of the N blocks. If J has fewer columns than Dof, they begin at `column` and the others are zero.
   template <int column = 0, int Rows, int Columns, std::size_t N>
   void add(std::size_t first, const Eigen::Matrix<Scalar, Rows, 1>& r,
            const std::array<Eigen::Matrix<Scalar, Rows, Columns>, N>& J) {
@@ -93,7 +93,7 @@ class BandedSystem {
     for (std::size_t i = 0; i < N; ++i) rows[first + i].border += J[i].transpose().lazyProduct(J_border);
     add_border(r, J_border);
   }
-  /// The same of a residual that meets no control point.
+  /// The same for a residual that depends on no control point.
   template <int Rows>
     requires(Border > 0)
   void add_border(const Eigen::Matrix<Scalar, Rows, 1>& r, const Eigen::Matrix<Scalar, Rows, Border>& J_border) {
@@ -106,7 +106,7 @@ class BandedSystem {
   Vector right;  ///< b
 };
 
-/// Cholesky's factorisation A + damping·diag(A) = L Lᵀ of a BandedSystem.
+/// Cholesky factorisation A + damping·diag(A) = L Lᵀ of a BandedSystem.
 template <typename System>
 class BandedCholesky {
  public:
@@ -115,7 +115,7 @@ class BandedCholesky {
   using Corner = typename System::Corner;
   static constexpr int border = Corner::RowsAtCompileTime;
 
-  /// False unless the matrix is positive definite to rounding; there is nothing to solve() with then.
+  /// Returns false unless the matrix is positive definite to rounding. solve() is then not allowed.
   [[nodiscard]] bool compute(const System& system, const Scalar& damping) {
     rows_ = system.rows;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -131,7 +131,7 @@ class BandedCholesky {
     return true;
   }
 
-  /// x holds b, then A⁻¹ b.
+  /// Solves the factorised system: x is b before and the solution after.
   void solve(Vector& x) const {
     const std::size_t n = rows_.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -152,7 +152,7 @@ class BandedCholesky {
     }
   }
 
-  /// The covariance of the border unknowns where A is the information of all.
+  /// The covariance of the border unknowns if A is an information matrix.
   [[nodiscard]] Corner border_covariance() const
     requires(border > 0)
   {
@@ -166,9 +166,10 @@ class BandedCholesky {
 
   [[nodiscard]] static std::size_t reach(std::size_t row) { return (std::min)(row, largest_reach); }
 
-  // Plain loops: what Eigen unrolls for small fixed sizes is no faster here, and takes ten seconds to compile.
+  // Plain loops: Eigen's unrolled code for small fixed sizes is no faster here, and takes ten seconds to compile.
 
-  /// The lower triangle of `matrix` becomes L with L Lᵀ = matrix; false unless that is positive definite to rounding.
+  /// Replaces the lower triangle of `matrix` by L with L Lᵀ = matrix. Returns false unless the matrix is positive
+  /// definite to rounding.
   template <typename Matrix>
   [[nodiscard]] static bool factorize(Matrix& matrix) {
     using std::sqrt;
@@ -184,7 +185,7 @@ class BandedCholesky {
     return true;
   }
 
-  /// X becomes L⁻¹ X.
+  /// Replaces X by L⁻¹ X.
   template <typename Matrix, typename Columns>
   static void solve_lower(const Matrix& L, Columns& X) {
     for (int column = 0; column < Columns::ColsAtCompileTime; ++column) {
@@ -195,7 +196,7 @@ class BandedCholesky {
     }
   }
 
-  /// x becomes L⁻ᵀ x.
+  /// Replaces x by L⁻ᵀ x.
   template <typename Matrix, typename Column>
   static void solve_upper(const Matrix& L, Column& x) {
     for (int c = Matrix::ColsAtCompileTime; c-- > 0;) {
@@ -204,7 +205,7 @@ class BandedCholesky {
     }
   }
 
-  /// X becomes X L⁻ᵀ.
+  /// Replaces X by X L⁻ᵀ.
   template <typename Matrix>
   static void solve_from_right(const Matrix& L, Matrix& X) {
     for (int c = 0; c < Matrix::ColsAtCompileTime; ++c) {
@@ -251,7 +252,7 @@ template <typename System>
     }
   }
   constexpr int border = System::Corner::RowsAtCompileTime;
-  if constexpr (border > 0) {  // Eigen's products of no columns read through null pointers
+  if constexpr (border > 0) {  // Eigen's products with zero columns dereference null pointers
     y.border = A.corner.template selfadjointView<Eigen::Lower>() * x.border;
     for (std::size_t i = 0; i < n; ++i) {
       y.blocks[i] += A.rows[i].border * x.border;

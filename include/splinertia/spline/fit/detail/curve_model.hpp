@@ -11,7 +11,7 @@
 
 namespace splinertia {
 
-/// The curve with control point i moved by X_i exp(step_i).
+/// The curve with every control point X_i replaced by X_i ⊞ step_i = X_i exp(step_i).
 template <typename Curve>
 [[nodiscard]] Curve moved(const Curve& curve, const std::vector<Tangent<typename Curve::Group>>& step) {
   using G = typename Curve::Group;
@@ -22,8 +22,8 @@ template <typename Curve>
   return Curve(curve.knots(), std::move(points));
 }
 
-/// The sum of several terms over one curve, for minimize(): each adds its squares at a curve to a BandedSystem, and
-/// lets control points meet that are at most Reach apart.
+/// The model of minimize() for one curve: its cost is the sum of several terms. Each term adds its squares to a
+/// BandedSystem. A term may couple control points that are at most Reach apart.
 template <typename Curve, int Reach, typename... Terms>
 class CurveModel {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Which control points are determined by what the curve is fitted to.
+/// Finds the control points that the poses do not determine, or determine badly.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,12 @@ template <typename Scalar, int Order>
   return weights;
 }
 
-/// The control points that the poses leave undetermined, in ascending order: there are too few poses where these have a
-/// share in the curve. Each control point is given one pose of its own (Schoenberg and Whitney, Trans. Amer. Math. Soc.
-/// 74 (1953) 246, say that this is what a spline of one dimension needs), at which its weight is at least a tenth of
-/// the largest that it has anywhere; and one pose, which others may be given, has to be near enough for a quarter of it
-/// (a cubic's weight one interval off). So what is left to the others is well determined, too. `counts(i)` says whether
-/// pose i counts at all.
+/// The control points that the poses do not determine, in ascending order. A control point is determined if
+/// - it can be assigned a pose of its own where its weight is at least a tenth of its largest weight anywhere
+///   (Schoenberg and Whitney, Trans. Amer. Math. Soc. 74 (1953) 246: a spline of one dimension needs this), and
+/// - its weight at some pose, which other control points may share, is at least a quarter of its largest (a cubic's
+///   weight one interval away).
+/// So the remaining control points are well determined. `counts(i)` tells whether pose i is used.
 template <typename Curve>
 [[nodiscard]] std::vector<std::size_t> undetermined_control_points(const KnotsOf<Curve>& knots,
                                                                    std::size_t control_points,
@@ -71,8 +71,9 @@ template <typename Curve>
   return undetermined;
 }
 
-/// The control points, ascending, whose Order segments have at most 5/4 poses each. Though enough to determine them one
-/// by one, poses near the middle of every segment leave control points that alternate: of a cubic, 1 − 23 + 23 − 1.
+/// The control points, ascending, whose Order segments have at most 5/4 poses each on average. These are enough to
+/// determine them one by one. But poses near the middle of every segment cannot detect an alternating change of the
+/// control points: for a cubic the weights there are proportional to 1, 23, 23, 1, and 1 − 23 + 23 − 1 = 0.
 template <typename Curve>
 [[nodiscard]] std::vector<std::size_t> thinly_measured_control_points(const KnotsOf<Curve>& knots,
                                                                       std::size_t control_points,

@@ -12,10 +12,11 @@
 
 namespace splinertia {
 
-/// The first and the last pose behind the jumps at the ends. An estimator that begins with poses of identity, or a
-/// tracker that ends with a wrong one, leaves up to 16 poses (an eighth of all) beyond a step that no motion explains,
-/// and that is ten times as large as any but a fiftieth of the others: less what the neighbouring step lets expect.
-/// Such poses are beside nothing that could show them wrong, so a curve meets them whatever the loss.
+/// Indices of the first and the last pose between the jumps at the ends. An estimator that begins with identity poses,
+/// or a tracker that ends with a wrong pose, leaves up to 16 poses (at most an eighth of all) beyond a jump. A jump is
+/// a break (pose_breaks.hpp) whose unexpected_step() in some component is more than ten times that of all steps but the
+/// largest fiftieth (at least three). The poses beyond it have no neighbours that show them to be wrong, so a curve
+/// would follow them whatever the loss.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] std::pair<std::size_t, std::size_t> poses_between_jumps(const std::vector<Stamped<G, Time>>& poses) {
   using Scalar = ScalarOf<G>;
@@ -32,7 +33,7 @@ template <LieGroup G, TimePoint Time>
   for (std::size_t i = 0; i + 2 < n; ++i) all.push_back(detail::unexpected_step(poses, i, i + 1, interval));
   Tangent<G> usual;
   std::vector<Scalar> values(all.size());
-  // A wrong pose makes up to three.
+  // One wrong pose makes up to three large values.
   const std::size_t left_out = (std::min)(values.size() - 1, std::max<std::size_t>(values.size() / 50, 3));
   const auto largest = values.end() - static_cast<std::ptrdiff_t>(left_out) - 1;
   for (int row = 0; row < usual.size(); ++row) {

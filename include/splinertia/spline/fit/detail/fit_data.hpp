@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Stamped poses as a curve of another group, or with time of another type, takes them.
+/// Converts stamped poses to the group and the time type of a curve.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@
 
 namespace splinertia {
 
-/// Anything with a time and a value on a group, one after the other.
+/// A random-access range of elements with a time and a value on a group.
 template <typename Poses>
 concept StampedPoses =
     std::ranges::random_access_range<Poses> && requires(const std::ranges::range_value_t<Poses>& pose) {
@@ -25,7 +25,7 @@ concept StampedPoses =
       requires LieGroup<std::remove_cvref_t<decltype(pose.value)>>;
     };
 
-/// `pose` on the group G: itself, or where both keep poses in three dimensions, the same pose.
+/// `pose` converted to the group G: itself, or the same three-dimensional pose.
 template <LieGroup G, LieGroup From>
 [[nodiscard]] G as_group(const From& pose) {
   if constexpr (std::same_as<G, From>) {
@@ -36,9 +36,10 @@ template <LieGroup G, LieGroup From>
   }
 }
 
-/// The poses as Curve takes them. Elements that have drifted off their group by up to 0.001 (the norm of a quaternion)
-/// are normalised. Throws std::invalid_argument, naming the pose and `whose` demand it is, unless they are finite, on
-/// their group and in ascending order of time, no two of the same.
+/// The poses converted to the group and the time type of Curve. Elements that have drifted off their group by up to
+/// 0.001 (the norm of a quaternion) are normalised. Throws std::invalid_argument unless the poses are finite, on their
+/// group and in strictly ascending order of time, and Time can represent the time that they span. The message names the
+/// pose and the caller, `whose`.
 template <typename Curve, StampedPoses Poses>
 [[nodiscard]] PosesOf<Curve> fit_data(const Poses& poses, const char* whose) {
   using G = typename Curve::Group;
@@ -75,8 +76,9 @@ template <typename Curve, StampedPoses Poses>
   return data;
 }
 
-/// The pose on the shortest way between its neighbours at `time`, the first before them all and the last behind. `from`
-/// is where to look first, and where it was found: successive times take constant time each.
+/// The pose at `time`, interpolated between its neighbours: x₀ exp((time − t₀)/(t₁ − t₀) · log(x₀⁻¹ x₁)). Before all
+/// poses it is the first, after them the last. The search starts at index `from`, which is set to where it ends: calls
+/// must be in ascending order of time, and then take constant time each.
 template <LieGroup G, typename Time>
 [[nodiscard]] G pose_between(const std::vector<Stamped<G, Time>>& poses, Time time, std::size_t& from) {
   using Scalar = ScalarOf<G>;

@@ -11,8 +11,8 @@
 
 namespace splinertia {
 
-/// How far `curve` is from the poses, all within its domain. Those that do not count get a residual, but are left out
-/// of the statistics.
+/// Residuals of `curve` at the poses. Requires all poses within its domain. Poses for which counts(i) is false get a
+/// residual, but are excluded from the statistics.
 template <typename Curve>
 [[nodiscard]] FitResiduals<typename Curve::Group> residuals_of(const PosesOf<Curve>& data, const Curve& curve,
                                                                const auto& counts) {
@@ -38,7 +38,7 @@ template <typename Curve>
   return result;
 }
 
-/// The largest magnitude that each component of the way from the first pose to any has.
+/// Component-wise maximum of |log(first⁻¹ pose)| over all poses.
 template <LieGroup G, typename Time>
 [[nodiscard]] Tangent<G> extent_of(const std::vector<Stamped<G, Time>>& data) {
   Tangent<G> extent = Tangent<G>::Zero();
@@ -48,9 +48,9 @@ template <LieGroup G, typename Time>
   return extent;
 }
 
-/// The standard deviation of each component of a pose, however many poses are outliers: the median of |residual|, times
-/// 1.4826 as for normal noise, over the root of the share of the data that the control points leave free. At least
-/// `least`.
+/// A robust estimate of the standard deviation of a pose, per component: 1.4826 (as for normal noise) · median
+/// |residual| / √free_share, and at least `least`. `free_share` is the share of the data that the control points leave
+/// free.
 template <typename Curve>
 [[nodiscard]] Tangent<typename Curve::Group> robust_deviation(const PosesOf<Curve>& data, const Curve& curve,
                                                               const auto& counts,

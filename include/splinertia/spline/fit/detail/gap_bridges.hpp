@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// What holds a curve where poses do not: a prior on its second derivative, as strong as the motion beside says.
+/// Regularises a curve where there are no poses: a prior on its second derivative, as strong as the motion beside
+/// suggests.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@
 
 namespace splinertia {
 
-/// Several SmoothnessTerms as one.
+/// The sum of several SmoothnessTerms.
 template <typename Curve>
 struct SmoothnessTerms {
   std::vector<SmoothnessTerm<Curve>> terms;
@@ -31,7 +32,7 @@ struct SmoothnessTerms {
   }
 };
 
-/// Makes the terms that hold a curve where poses do not, and something else does not either.
+/// Makes the terms that regularise a curve where neither poses nor other measurements determine it.
 template <typename Curve>
 class GapBridges {
  public:
@@ -39,10 +40,10 @@ class GapBridges {
   using Scalar = typename Curve::Scalar;
   using Time = typename Curve::Time;
 
-  /// `noise` is the standard deviation of a pose, `unit` that by which the residuals of poses are divided, and
-  /// `share` that of the data which the control points take: the variance of a value of the curve over that of a
-  /// pose. `others` are the times, ascending, of other measurements that hold the curve. Keeps curve, spans and others
-  /// by reference.
+  /// `noise` is the standard deviation of a pose, `unit` the one that the residuals of poses are divided by. `share` is
+  /// the share of the data that the control points take: the variance of a value of the curve over that of a pose.
+  /// `others` are the ascending times of other measurements that determine the curve. Stores references to curve, spans
+  /// and others.
   GapBridges(std::reference_wrapper<const Curve> curve,
              std::reference_wrapper<const std::vector<UnmeasuredSpan<Time>>> spans, const Tangent<G>& noise,
              const Tangent<G>& unit, const Scalar& share, std::reference_wrapper<const std::vector<Time>> others)
@@ -68,7 +69,8 @@ class GapBridges {
     return sqrt(value);
   }
 
-  /// Span i: as the motion on both sides has it, at the scale of the span or of the knots, whichever holds more.
+  /// Adds the prior over span i. Its density is that of the motion on both sides at the time scale of the span or of
+  /// the knots, whichever is smaller.
   void bridge(std::size_t i) {
     const auto& span = spans_[i];
     const double length = to_seconds<double>(span.end - span.start);
@@ -83,8 +85,8 @@ class GapBridges {
     hold(density, span.start, span.end, span.knot_interval, true);
   }
 
-  /// The outermost Order − 2 segments, where a single pose bends the curve as it likes: accelerations up to three times
-  /// those of the rest, noise included, are believed.
+  /// Adds a weak prior over the outermost Order − 2 segments, where a single pose bends the curve freely. It allows
+  /// accelerations up to three times those of the rest, noise included.
   void hold_ends() {
     const auto& knots = curve_.knots();
     const std::size_t segments = curve_.segments(), reach = Curve::order > 2 ? Curve::order - 2 : 1;
@@ -96,7 +98,7 @@ class GapBridges {
   void hold_end(Time from, Time to, int direction) {
     const double knot_interval = to_seconds<double>(to - from) / (Curve::order > 2 ? Curve::order - 2 : 1);
     const double edge = to_seconds<double>((direction > 0 ? to : from) - curve_.start());
-    // The measured parts from the held end on.
+    // The measured parts of the curve without the segments of this end.
     std::vector<MeasuredPart> inner;
     for (const MeasuredPart& part : parts_) {
       const MeasuredPart rest = direction > 0 ? MeasuredPart{(std::max)(part.start, edge), part.end}
@@ -109,17 +111,17 @@ class GapBridges {
     hold(density_.around(anchors), from, to, knot_interval, false);
   }
 
-  /// Adds the prior over [from, to] where other measurements are further apart than 1.5 knot intervals: as it is where
-  /// it is needed, and three times as wide where poses hold the curve, too.
+  /// Adds the prior over [from, to] where other measurements are more than 1.5 knot intervals apart. Its amplitude is
+  /// three times as large, i.e. the prior is weaker, if poses determine the curve, too (`needed` is false).
   void hold(const std::optional<Tangent<G>>& found, Time from, Time to, double knot_interval, bool needed) {
     const Scalar amplitude = needed ? Scalar(1) : Scalar(3);
     const auto length = to_seconds<Scalar>(to - from);
-    // Where nothing is beside the span: a motion within it that the noise could hide.
+    // If nothing is beside the span: a motion within it that the noise could hide.
     const Scalar unseen = derivative == 2 ? 9 / (length * length * length) : 4 / length;
     const Tangent<G> density = found.value_or(unseen * noise_.cwiseAbs2());
     Tangent<G> root = amplitude * density.cwiseSqrt().cwiseQuotient(noise_);
     if (needed) {
-      // Beside a pose the prior weighs at least as the root of the rounding, or the equations would be singular.
+      // The prior weighs at least √eps relative to a pose, otherwise the equations would be singular.
       const auto interval = static_cast<Scalar>(knot_interval);
       const Scalar weakest = Scalar(1) / sqrt_of(sqrt_of(std::numeric_limits<Scalar>::epsilon())) /
                              (derivative == 2 ? interval * sqrt_of(interval) : sqrt_of(interval));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Knots for a curve over stamped poses, and where it starts from.
+/// Knots for a curve over stamped poses, and the curve that fit() starts from.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace splinertia {
 
-/// Throws std::invalid_argument, naming the option, unless they make sense for so many poses.
+/// Throws std::invalid_argument, naming the option, unless the options are valid for this number of poses.
 template <typename Curve>
 void check(const FitOptions<Curve>& options, std::size_t poses) {
   const auto all_positive = [](const auto& values) {
@@ -57,7 +57,8 @@ void check(const FitOptions<Curve>& options, std::size_t poses) {
   require(options.most_iterations > 0, "fit", "most_iterations", options.most_iterations, "at least 1");
 }
 
-/// Knots of `segments` equal segments from `first` to `last`, or (integer time) a little later.
+/// Knots of `segments` equal segments from `first` to `last`. UniformKnots may end a little later: by rounding, or with
+/// integer time by less than one tick per segment.
 template <typename K>
 [[nodiscard]] K even_knots(typename K::Time first, typename K::Time last, std::size_t segments, int order) {
   using Time = typename K::Time;
@@ -72,7 +73,7 @@ template <typename K>
       return {first, span / count + Time(span % count > Time::zero() ? 1 : 0)};
     }
   } else {
-    // As many knots at the ends as the order: there the curve ends at its first and its last control point.
+    // Multiplicity k at both ends: the curve begins at its first and ends at its last control point.
     std::vector<Time> knots(static_cast<std::size_t>(order - 1), first);
     const double length = to_seconds<double>(last - first) / static_cast<double>(segments);
     for (std::size_t i = 0; i < segments; ++i) knots.push_back(after(first, static_cast<double>(i) * length));
@@ -81,9 +82,9 @@ template <typename K>
   }
 }
 
-/// The knots that the options ask for over these poses, and the number of control points. A pose that is behind the
-/// last knot by rounding alone is moved onto it. Throws std::invalid_argument if the knots do not reach, or are a
-/// hundred times as many as there are poses.
+/// The knots that the options specify for these poses, and the number of control points. Poses that are after the last
+/// of UniformKnots by rounding alone are moved onto it. Throws std::invalid_argument if the knots do not cover all
+/// poses, or if UniformKnots or knot_interval give more than a hundred segments per pose.
 template <typename Curve>
 [[nodiscard]] std::pair<KnotsOf<Curve>, std::size_t> knots_over(PosesOf<Curve>& poses,
                                                                 const FitOptions<Curve>& options) {
@@ -91,7 +92,7 @@ template <typename Curve>
   constexpr std::size_t k = Curve::order;
   const auto first = poses.front().time, last = poses.back().time;
   const auto segments_of = [&](double span, double interval) {
-    // As many as span/interval if that is an integer but for rounding.
+    // Exactly span/interval if that is an integer up to rounding.
     const double quotient = span / interval;
     const double segments = (std::max)(1.0, std::ceil(quotient * (1 - 1e-9)));
     const double most = 100 * static_cast<double>(poses.size());
@@ -132,7 +133,8 @@ template <typename Curve>
   return {std::move(knots), control_points};
 }
 
-/// The curve whose control points are the poses at their times, which smooths but misses them: where fit() starts.
+/// The curve whose control points are the poses interpolated at the times of the control points. It smooths the poses
+/// and does not pass through them. fit() starts here.
 template <typename Curve>
 [[nodiscard]] Curve poses_at_control_points(const PosesOf<Curve>& poses, KnotsOf<Curve> knots,
                                             std::size_t control_points) {

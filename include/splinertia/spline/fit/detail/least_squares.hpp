@@ -11,11 +11,11 @@
 
 namespace splinertia {
 
-/// When minimize() stops.
+/// The stopping criteria of minimize().
 template <typename Scalar>
 struct Convergence {
-  Scalar relative;  ///< the cost falls by less than this share of it
-  Scalar absolute;  ///< the cost falls by less than this
+  Scalar relative;  ///< the predicted decrease of the cost is at most this share of it
+  Scalar absolute;  ///< the predicted decrease of the cost is at most this
   int most_iterations;
 };
 
@@ -26,14 +26,13 @@ struct Minimum {
   bool converged = false;
 };
 
-/// Moves `state` to where the cost of `model` has a minimum, by Gauss–Newton's method, damped as Levenberg and
-/// Marquardt do (Nocedal, Wright, Numerical Optimization, 2nd ed., 10.3) where a step does not lower the cost. Of a
-/// model is asked
+/// Moves `state` to a minimum of the cost of `model`, by Gauss–Newton steps. Where a step does not lower the cost, it
+/// is damped as by Levenberg and Marquardt (Nocedal, Wright, Numerical Optimization, 2nd ed., 10.3). A model has
 ///
 ///   cost = model.linearize(state, system)   adds the normal equations at `state` to the cleared `system`
 ///   model.moved(state, step)                the state, moved by a step
 ///
-/// On return `system` and `factor` are those of the last step.
+/// On return `system` holds the normal equations at the final state, and `factor` the factorisation of the last step.
 template <typename Model, typename State, typename System>
 Minimum<typename System::Scalar> minimize(const Model& model, State& state, System& system,
                                           BandedCholesky<System>& factor,
@@ -42,7 +41,7 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
   constexpr Scalar first_damping = Scalar(1) / Scalar(10000), most_damping(1e12f);
   Minimum<Scalar> result{model.linearize(state, system)};
   System next = system;
-  Scalar damping(0), needed(0);  // needed: to have a definite matrix at all
+  Scalar damping(0), needed(0);  // needed: for a positive definite matrix
   while (result.iterations < until.most_iterations) {
     if (!factor.compute(system, damping)) {
       if (damping >= most_damping) return result;
@@ -52,14 +51,14 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
     typename System::Vector step = system.right;
     factor.solve(step);
     ++result.iterations;
-    // Of the damped step too, |J δ|² ≤ δᵀb.
+    // |J δ|² ≤ δᵀb also holds for the damped step.
     const Scalar decrease = step.dot(system.right);
     const bool small = decrease <= until.absolute || decrease <= until.relative * result.cost;
     State candidate = model.moved(state, step);
     next.clear();
     const Scalar cost = model.linearize(candidate, next);
-    // Near the minimum the costs differ by their rounding alone. A step that is damped more than needed may be small
-    // anywhere.
+    // Near the minimum the costs differ only by rounding, so a small step is accepted as the last one. But a step with
+    // more damping than needed may be small anywhere.
     const bool last = small && damping <= needed;
     if (cost <= result.cost || last) {
       state = std::move(candidate);
@@ -80,9 +79,9 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
   return result;
 }
 
-/// The ratio of the largest to the smallest eigenvalue of the matrix, scaled to a diagonal of ones, by a few iterations
-/// of the power method: a lower bound that is mostly within a factor of two. Its square root is how much more the
-/// control points scatter than the data that they are fitted to, at worst.
+/// The condition number of the matrix scaled to unit diagonal (ratio of its largest to its smallest eigenvalue),
+/// estimated by a few iterations of the power method: a lower bound, mostly within a factor of two. Its square root is
+/// the worst-case ratio of the scatter of the control points to that of the data.
 template <typename System>
 [[nodiscard]] typename System::Scalar condition_estimate(const System& system, const BandedCholesky<System>& factor) {
   using std::sqrt;
@@ -100,7 +99,7 @@ template <typename System>
     return x;
   };
   const auto largest = [&](const auto& product) {
-    // Neither smooth nor regular: components along every eigenvector.
+    // Neither smooth nor regular, so it has components along every eigenvector.
     Vector x = system.right;
     std::size_t i = 0;
     for (auto& block : x.blocks) block.setConstant(Scalar(1) / Scalar(1 + i * 7 % 11) * (i % 2 == 0 ? 1 : -1)), ++i;

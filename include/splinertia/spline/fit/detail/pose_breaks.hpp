@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Steps between poses that no motion explains: jumps of an estimator, and single poses that are wrong.
+/// Finds steps between poses that no motion explains: jumps of an estimator, and single wrong poses.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,10 @@
 
 namespace splinertia::detail {
 
-/// By how much the step from pose i to the next differs from what the step from pose `beside` on lets expect. Steps of
-/// unequal lengths may differ by as much more as an acceleration over both makes of it, beside two of the length
-/// `usual` (s): in key frames, a short step stands beside a long pause.
+/// Component-wise difference of the step from pose i to i + 1 from what the step from pose `beside` to the next
+/// predicts at constant velocity. A constant acceleration makes this difference proportional to own·(own + other)/2,
+/// where own and other are the lengths of both steps in seconds. So the difference is divided by that over `usual`²,
+/// `usual` being the usual length, if this exceeds 1: in key frames, a short step may be next to a long pause.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] Tangent<G> unexpected_step(const std::vector<Stamped<G, Time>>& poses, std::size_t i, std::size_t beside,
                                          double usual) {
@@ -27,7 +28,7 @@ template <LieGroup G, TimePoint Time>
   return (step(i) - own / other * step(beside)).cwiseAbs() / (std::max)(Scalar(1), allowance);
 }
 
-/// The medians of 17 neighbours of each, at the ends of the nearest 17; at least that of all.
+/// The median of the 17 elements around each element (at the ends, of the nearest 17), and at least the median of all.
 template <typename Vector>
 [[nodiscard]] std::vector<Vector> usual_beside(const std::vector<Vector>& all) {
   using Scalar = typename Vector::Scalar;
@@ -51,9 +52,9 @@ template <typename Vector>
   return usual;
 }
 
-/// The i, ascending, for which the step from pose i to the next is a break: in a component, neither of the steps beside
-/// it lets it expect, by ten times what is usual there, and by more than rounding. A motion is no break if it lasts for
-/// nine poses or more. There are none among fewer than eight poses.
+/// The i, ascending, for which the step from pose i to the next is a break: in some component it differs from the
+/// predictions of both neighbouring steps by more than ten times what is usual there, and by more than rounding. A
+/// motion that lasts for nine poses or more is not a break. Fewer than eight poses have no breaks.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] std::vector<std::size_t> breaks_between(const std::vector<Stamped<G, Time>>& poses) {
   using Scalar = ScalarOf<G>;

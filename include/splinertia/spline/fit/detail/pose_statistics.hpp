@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// What stamped poses alone say of their noise and their motion, without any curve.
+/// The noise and the motion of stamped poses, estimated without a curve.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace splinertia {
 
-/// The median interval between neighbouring poses, s. There are at least two.
+/// The median interval between neighbouring poses, s. Requires at least two poses.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] double median_interval(const std::vector<Stamped<G, Time>>& poses) {
   std::vector<double> intervals;
@@ -25,16 +25,16 @@ template <LieGroup G, TimePoint Time>
   return *middle;
 }
 
-/// How far a pose is from the polynomial through its neighbours.
+/// The residual of a pose against the polynomial through its neighbours.
 template <LieGroup G>
 struct NeighbourResidual {
-  Tangent<G> residual;        ///< Σ w_j y_j, w_j the weights of Lagrange's polynomial at the time of the pose
-  ScalarOf<G> amplification;  ///< √(1 + Σ w_j²): of the standard deviation of a pose
+  Tangent<G> residual;        ///< Σ w_j y_j, w_j the weights of the Lagrange polynomial at the time of the pose
+  ScalarOf<G> amplification;  ///< √(1 + Σ w_j²): standard deviation of the residual over that of a pose
   Tangent<G> acceleration;    ///< of the parabola through the pose and its nearest two
 };
 
-/// Of the pose in the middle of N + 1, whose indices ascend. y_j is the sum of the increments on the way to neighbour
-/// j, which is log(x₀⁻¹ x_j) where they commute, and stays unambiguous for turns of less than π from one to the next.
+/// The residual of the middle one of N poses, whose indices ascend. y_j is the sum of the increments from it to
+/// neighbour j. This is log(x₀⁻¹ x_j) if the increments commute, and unambiguous if neighbours turn by less than π.
 template <LieGroup G, TimePoint Time, std::size_t N>
 [[nodiscard]] NeighbourResidual<G> neighbour_residual(const std::vector<Stamped<G, Time>>& poses,
                                                       const std::array<std::size_t, N>& indices) {
@@ -72,10 +72,11 @@ template <LieGroup G, TimePoint Time, std::size_t N>
   return result;
 }
 
-/// The standard deviation of each component of a pose, from how far each is from the polynomial through its nearest
-/// two, four and six neighbours: the median of magnitudes times 1.4826, over the amplification; the least of the three.
-/// It is that of white noise where the motion between neighbours is smooth beside the noise, and else an upper bound.
-/// Where the median is next to nothing, poses repeat or are rounded: there the value that a fifth exceeds counts.
+/// The standard deviation of a pose, per component, from its residuals against the polynomials through its nearest two,
+/// four and six neighbours: the smallest of the three values of 1.4826 · median(|residual|/amplification). It is
+/// correct for white noise if the motion between neighbours is smooth compared with the noise, and otherwise an upper
+/// bound. If the median is almost zero, poses repeat or are rounded; the 80th percentile over 1.2816 is used instead.
+/// Infinite for fewer than three poses.
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] Tangent<G> noise_of(const std::vector<Stamped<G, Time>>& poses) {
   using std::abs;

@@ -15,8 +15,8 @@
 
 namespace splinertia {
 
-/// f(first row, number of rows) for each part of a tangent vector that is a distance by itself, as two constants: the
-/// factors of a product, or all of it.
+/// Calls f(first row, number of rows), both std::integral_constant, for each part of a tangent vector that has a norm
+/// of its own: the factors of a product, otherwise the whole vector.
 template <typename G>
 struct TangentParts {
   static void for_each(const auto& f) { f(std::integral_constant<int, 0>{}, std::integral_constant<int, DofOf<G>>{}); }
@@ -31,16 +31,16 @@ struct TangentParts<Product<F...>> {
   }
 };
 
-/// The distances of a curve from stamped poses as squares to minimise: r = log(pose⁻¹ · curve) over the standard
-/// deviation, through a loss: of each factor of a product by itself, so that a position that jumps leaves the rotation
-/// its weight.
+/// The distances of a curve from stamped poses as a least-squares cost: r = log(pose⁻¹ · curve)/standard deviation,
+/// through a loss. The loss applies to each factor of a product separately, so that a jump of the position does not
+/// reduce the weight of the rotation.
 template <typename Curve>
 class PoseTerm {
  public:
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
 
-  /// `poses` and `weights` (one each, or none) are kept by reference.
+  /// Stores references to `poses` and `weights` (one per pose, or none).
   PoseTerm(std::reference_wrapper<const PosesOf<Curve>> poses,
            std::reference_wrapper<const std::vector<Scalar>> weights, const Tangent<G>& standard_deviation,
            const RobustLoss& loss)

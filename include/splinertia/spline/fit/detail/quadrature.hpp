@@ -10,8 +10,8 @@
 
 namespace splinertia {
 
-/// Nodes on [0, 1] and weights of Gauss and Legendre, exact to degree 2n − 1, and the matrix that takes the values of a
-/// polynomial of degree n − 1 at the nodes to its derivatives there.
+/// Gauss–Legendre quadrature: nodes on [0, 1] and weights, exact to degree 2n − 1. `derivative` is the matrix that maps
+/// the values of a polynomial of degree n − 1 at the nodes to its derivatives there.
 template <typename Scalar, std::size_t n>
 struct Quadrature {
   std::array<Scalar, n> node, weight;
@@ -23,7 +23,7 @@ struct Quadrature {
     for (std::size_t i = 0; i < n; ++i) {
       Scalar x = -cos(Scalar(std::numbers::pi_v<long double>) * Scalar(4 * i + 3) / Scalar(4 * n + 2));
       Scalar slope(1);
-      // Newton's method on the Legendre polynomial; from this start it is quadratic at once.
+      // Newton's method on the Legendre polynomial; from this start it converges quadratically at once.
       for (int iteration = 0; iteration < 8; ++iteration) {
         Scalar before(1), value = x;
         for (std::size_t m = 2; m <= n; ++m) {
@@ -41,7 +41,7 @@ struct Quadrature {
       derivative[i][i] = Scalar(0);
       for (std::size_t j = 0; j < n; ++j) {
         if (j == i) continue;
-        // Of Lagrange's polynomial of node j, at node i.
+        // The derivative of the Lagrange polynomial of node j at node i.
         derivative[i][i] += 1 / (node[i] - node[j]);
         Scalar product = 1 / (node[j] - node[i]);
         for (std::size_t l = 0; l < n; ++l) {
@@ -52,7 +52,7 @@ struct Quadrature {
     }
   }
 
-  /// The derivative, at the nodes, of the polynomial with these values there.
+  /// The derivatives at the nodes of the polynomial with these values at the nodes.
   [[nodiscard]] std::array<Scalar, n> differentiated(const std::array<Scalar, n>& values) const {
     std::array<Scalar, n> result{};
     for (std::size_t i = 0; i < n; ++i) {
@@ -61,7 +61,7 @@ struct Quadrature {
     return result;
   }
 
-  /// That polynomial at x.
+  /// The polynomial with these values at the nodes, at x.
   [[nodiscard]] Scalar value_at(const Scalar& x, const std::array<Scalar, n>& values) const {
     Scalar sum(0);
     for (std::size_t j = 0; j < n; ++j) {
@@ -75,7 +75,7 @@ struct Quadrature {
   }
 };
 
-/// This share of a length of time, rounded down to a tick.
+/// share · length; an integer Time is rounded towards zero.
 template <TimePoint Time, typename Scalar>
 [[nodiscard]] Time fraction_of(Time length, const Scalar& share) {
   if constexpr (std::floating_point<Time>) {

@@ -12,9 +12,9 @@
 
 namespace splinertia {
 
-/// ∫ |x⁽ᵈ⁾/density|² dt over a span of a curve as squares to minimise; d = 2 or 3, of order 2: 1. Exact for Rⁿ.
-/// On other groups the third derivative is that of the polynomial through the second at the nodes of a segment, as good
-/// as the spline's own approximation.
+/// The least-squares cost ∫ |x⁽ᵈ⁾/density|² dt over a span of a curve; d = 2 or 3, for order 2: d = 1. Exact for Rⁿ. On
+/// other groups the third derivative is that of the polynomial through the second derivatives at the nodes of a
+/// segment, which is as accurate as the spline's own approximation.
 template <typename Curve>
 class SmoothnessTerm {
  public:
@@ -24,8 +24,8 @@ class SmoothnessTerm {
 
   using Time = typename Curve::Time;
 
-  /// Requires derivative 1 of order 2, else 2 or 3 (3 from order 4 on), positive densities, and a span within the
-  /// curve.
+  /// Requires derivative 1 for order 2, otherwise 2 or 3 (3 from order 4 on), positive densities, and a span within the
+  /// domain of the curve.
   SmoothnessTerm(int derivative, const Tangent<G>& density, Time from, Time to)
       : derivative_(derivative), inverse_density_(density.cwiseInverse()), from_(from), to_(to) {}
 
@@ -42,7 +42,7 @@ class SmoothnessTerm {
   template <int D, typename System>
   Scalar add(const Curve& curve, System& system) const {
     using std::sqrt;
-    // The D-th derivative has the degree order − 1 − D.
+    // The D-th derivative has degree order − 1 − D.
     constexpr std::size_t nodes = order - D;
     static const Quadrature<Scalar, nodes> quadrature;
     Scalar cost(0);
