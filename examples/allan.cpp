@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a log of an IMU at rest says about its noise: a log goes in, N, K, B, Q and R with intervals, the curves they
-// are read from and files for estimators come out. `allan deviation` computes one deviation of one column of numbers.
+// Identifies the noise of an IMU from a log at rest. Writes N, K, B, Q and R with confidence intervals, the Allan
+// curves, the spectrum and files for estimators. `allan deviation` computes one deviation of one column of numbers.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -50,7 +50,7 @@ struct DeviationOptions {
   std::string type = "oadev", factors = "octave", intervals = "published";
   double rate = 1;
   bool rate_data = false, phase_data = false;
-  double confidence = 0.683;  // Stable32's; one sigma is 0.6827
+  double confidence = 0.683;  // as in Stable32; one sigma is 0.6827
   std::optional<int> alpha;
 };
 
@@ -62,7 +62,7 @@ allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
   return terms;
 }
 
-/// LO-HI, Hz.
+/// Parses a frequency band LO-HI in Hz.
 allan::Interval<double> band_of(const std::string& text) {
   const std::size_t dash = text.find('-', 1);
   const auto refuse = [&] {
@@ -93,7 +93,7 @@ void plot(const Options& o) {
   try {
     PythonScript(o.reading.python, "plot_allan.py", {o.output.string()}, PythonScript::Output::shared).finish();
     std::printf("wrote allan.png and allan.svg to %s\n", o.output.string().c_str());
-  } catch (const ScriptFailed&) {  // the plot is an extra, and why there is none has been said
+  } catch (const ScriptFailed&) {  // the plot is optional, and the script has printed the reason
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "no plot: %s\n", error.what());
   }
@@ -175,81 +175,89 @@ void add_options(CLI::App& app, Options& o) {
   ImuLogOptions& reading = o.reading;
   reading.python = default_python();
   app.add_option("log", o.log,
-                 "of an IMU at rest: EuRoC csv, another table (--columns), or a ROS bag (.bag, .mcap, a ROS 2 folder)");
+                 "log of an IMU at rest: EuRoC csv, another table (--columns), or a ROS bag (.bag, .mcap, a ROS 2 "
+                 "folder)");
   app.add_option("--columns", reading.columns,
-                 "of a table, such as t,gx,gy,gz,-,ax,ay,az: time, gyroscope, accelerometer, - for what is not wanted; "
-                 "default: those of EuRoC")
+                 "columns of a table, such as t,gx,gy,gz,-,ax,ay,az: time, gyroscope, accelerometer, - for a column to "
+                 "ignore; default: those of EuRoC")
       ->delimiter(',');
-  app.add_option("--rate", reading.rate, "samples a second [Hz], for a table without times");
+  app.add_option("--rate", reading.rate, "sampling rate [Hz], for a table without times");
   app.add_option("--time-unit", reading.time_unit,
-                 "of column t; default: ns of a EuRoC file, with --columns s or what the digits show")
+                 "unit of column t; default: ns for a EuRoC file; with --columns s, or what the digits show")
       ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
-  app.add_option("--gyro-unit", reading.gyro_unit, "default: rad/s")->check(CLI::IsMember({"rad/s", "deg/s"}));
-  app.add_option("--accel-unit", reading.accel_unit, "default: m/s2")->check(CLI::IsMember({"m/s2", "g", "mg"}));
-  app.add_option("--skip", reading.skip, "leave out the beginning, for the sensor to warm up [s]")
+  app.add_option("--gyro-unit", reading.gyro_unit, "unit of the gyroscope; default: rad/s")
+      ->check(CLI::IsMember({"rad/s", "deg/s"}));
+  app.add_option("--accel-unit", reading.accel_unit, "unit of the accelerometer; default: m/s2")
+      ->check(CLI::IsMember({"m/s2", "g", "mg"}));
+  app.add_option("--skip", reading.skip, "leave out the beginning, while the sensor warms up [s]")
       ->capture_default_str();
-  app.add_option("--until", reading.until, "leave out what comes later [s from the beginning]");
+  app.add_option("--until", reading.until, "leave out everything after this time [s from the beginning]");
   app.add_option("--leave-out", reading.leave_out,
-                 "stretch A-B, such as a knock [s from the beginning of the log]; what is on both sides is joined; may "
-                 "be repeated")
+                 "leave out a time span A-B, such as a knock [s from the beginning of the log], and join the parts "
+                 "before and after; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--most-missing", reading.limits.missing, "share of the samples that may be missing")
+  app.add_option("--most-missing", reading.limits.missing, "largest accepted fraction of missing samples")
       ->capture_default_str();
-  app.add_option("--most-jitter", reading.limits.jitter, "of the intervals, rms, as a share of one")
+  app.add_option("--most-jitter", reading.limits.jitter,
+                 "largest accepted jitter of the sample intervals, rms, as a fraction of an interval")
       ->capture_default_str();
   app.add_flag(
       "--arrival-times", reading.limits.arrival_times,
-      "the times are those of arrival, in bursts or with any jitter: take the rate from their number and span");
-  app.add_flag("--drop-duplicates", reading.drop_duplicates, "leave out rows with the time of the row before");
-  app.add_option("--topic", reading.topic, "of a ROS bag that has several with IMU messages");
+      "the times are arrival times, with bursts or jitter: compute the rate from the number of samples and the span");
+  app.add_flag("--drop-duplicates", reading.drop_duplicates, "leave out rows with the same time as the previous row");
+  app.add_option("--topic", reading.topic, "topic of a ROS bag, if it has several with IMU messages");
   app.add_option("--accel-log", reading.accel_log,
-                 "log of the accelerometer, if the other is of the gyroscope alone; each keeps its own rate");
-  app.add_option("--accel-columns", reading.accel_columns, "of that; default: t,ax,ay,az")->delimiter(',');
-  app.add_option("--accel-rate", reading.accel_rate, "samples a second [Hz], of that, for a table without times");
-  app.add_option("--accel-topic", reading.accel_topic, "of that");
+                 "log of the accelerometer, if the first log has only the gyroscope; each keeps its own rate");
+  app.add_option("--accel-columns", reading.accel_columns, "columns of --accel-log; default: t,ax,ay,az")
+      ->delimiter(',');
+  app.add_option("--accel-rate", reading.accel_rate, "sampling rate of --accel-log [Hz], for a table without times");
+  app.add_option("--accel-topic", reading.accel_topic, "topic of --accel-log");
   app.add_option(
          "--terms", o.terms,
-         "that may be in it: N white noise, K random walk, B bias instability, Q quantization noise, R rate ramp, G "
-         "Gauss-Markov bias, W warm-up")
+         "noise terms to look for: N white noise, K random walk, B bias instability, Q quantization noise, R rate "
+         "ramp, G Gauss-Markov bias, W warm-up")
       ->delimiter(',')
       ->check(CLI::IsMember({"N", "K", "B", "Q", "R", "G", "W"}))
       ->capture_default_str();
-  app.add_option("--confidence", o.identify.confidence, "of the intervals and limits")->capture_default_str();
+  app.add_option("--confidence", o.identify.confidence, "confidence level of the intervals and limits")
+      ->capture_default_str();
   app.add_option("--highest-frequency", o.identify.highest_frequency,
-                 "ignore what is above [Hz]; default: half the rate");
-  app.add_option("--exclude", o.exclude, "ignore a band of frequencies LO-HI [Hz]; again for another one")
+                 "ignore higher frequencies than this one [Hz]; default: half the rate");
+  app.add_option("--exclude", o.exclude, "ignore a frequency band LO-HI [Hz]; may be repeated")
       ->allow_extra_args(false);
   app.add_flag("!--keep-misfits", o.identify.exclude_misfits,
-               "do not leave out the bands where the power is not that of noise (lines, resonances, filters)");
+               "keep frequency bands whose power is not that of noise (lines, resonances, filters)");
   app.add_option(
          "-o,--output", o.output,
-         "folder for curves.csv (there only if all files are complete), noise.csv, spectrum.csv, findings.csv, the "
+         "folder for curves.csv (exists only if all files are complete), noise.csv, spectrum.csv, findings.csv, the "
          "files for estimators, allan.png and .svg")
       ->capture_default_str();
   o.for_estimators = estimator_names();
   app.add_option("--estimators", o.for_estimators,
-                 "to write a file of N and K for: imu.yaml for Kalibr, else NAME_imu.yaml")
+                 "estimators to write a file with N and K for: imu.yaml for Kalibr, else NAME_imu.yaml")
       ->delimiter(',')
       ->check(CLI::IsMember(estimator_names()))
       ->capture_default_str();
-  app.add_flag("--no-plot", o.no_plot, "no allan.png and .svg, which need Python with matplotlib");
-  app.add_option("--threads", o.threads, "axes of a sensor analysed at once; 0: as many as the machine runs at once")
+  app.add_flag("--no-plot", o.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
+  app.add_option("--threads", o.threads,
+                 "number of axes of a sensor to analyse at once; 0: as many as the machine runs at once")
       ->capture_default_str();
-  app.add_option("--python", reading.python, "for plots and ROS bags; default: $SPLINERTIA_PYTHON or python3")
+  app.add_option("--python", reading.python,
+                 "Python interpreter for plots and ROS bags; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str();
 }
 
 void add_deviation_options(CLI::App& app, DeviationOptions& o) {
-  app.add_option("file", o.file, "a number a line, # comments; - is the standard input")->required();
-  app.add_option("--type", o.type, "of deviation")->check(CLI::IsMember(deviations))->capture_default_str();
-  app.add_option("--rate", o.rate, "samples a second [Hz]")->capture_default_str();
+  app.add_option("file", o.file, "file with one number per line and # comments; - is the standard input")->required();
+  app.add_option("--type", o.type, "type of deviation")->check(CLI::IsMember(deviations))->capture_default_str();
+  app.add_option("--rate", o.rate, "sampling rate [Hz]")->capture_default_str();
   auto* phase = app.add_flag("--phase-data", o.phase_data, "the numbers are integrals (phase [s], angle)");
   app.add_flag("--rate-data", o.rate_data, "the numbers are rates (the default)")->excludes(phase);
-  app.add_option("--factors", o.factors, "samples to average over: all, octave, decade, log, or numbers: 1,2,5")
+  app.add_option("--factors", o.factors, "averaging factors [samples]: all, octave, decade, log, or numbers: 1,2,5")
       ->capture_default_str();
-  app.add_option("--confidence", o.confidence, "of the intervals")->capture_default_str();
+  app.add_option("--confidence", o.confidence, "confidence level of the intervals")->capture_default_str();
   app.add_option("--intervals", o.intervals,
-                 "published: as Greenhall and Riley 2003, and with them Stable32; exact: of numbers that are samples")
+                 "published: as in Greenhall and Riley 2003 and Stable32; exact: for numbers that are samples")
       ->check(CLI::IsMember({"published", "exact"}))
       ->capture_default_str();
   app.add_option("--alpha", o.alpha, "power law of the spectrum, for the intervals; default: identified at each factor")
@@ -260,18 +268,17 @@ void add_deviation_options(CLI::App& app, DeviationOptions& o) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "The noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q and rate "
-      "ramp R\nof each axis, with intervals, or limits of what is not there; the Allan deviations; and files of N and "
-      "K "
-      "for estimators."};
+      "Identifies the noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q "
+      "and\nrate ramp R of each axis, with confidence intervals, or upper limits for terms that are not detected. Also "
+      "writes\nthe Allan deviations, and files of N and K for estimators."};
   Options options;
   add_options(app, options);
   DeviationOptions deviation_options;
-  CLI::App* deviation = app.add_subcommand("deviation", "One kind of deviation of a column of numbers, as a table.");
+  CLI::App* deviation = app.add_subcommand("deviation", "Prints one kind of deviation of a column of numbers.");
   add_deviation_options(*deviation, deviation_options);
   return run_program("allan", app, argc, argv, [&] {
     if (deviation->parsed() != options.log.empty()) {
-      throw std::invalid_argument("expected one log, or deviation (--help)");
+      throw std::invalid_argument("expected one log, or the subcommand deviation (--help)");
     }
     deviation->parsed() ? print_deviation(deviation_options) : analyse_log(options);
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far an estimated trajectory is from a reference: absolute and relative errors of position and attitude (ATE and
-// RPE) after an alignment, with the definitions and the statistics of evo, and drift over lengths as KITTI counts it.
+// Compares an estimated trajectory with a reference: absolute and relative errors of position and attitude (ATE and
+// RPE) after alignment, with the definitions and statistics of evo, and drift over path lengths as KITTI defines it.
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -29,7 +29,7 @@ Poses read(const TrajectoryInput& input) {
   return std::move(file.poses);
 }
 
-/// The files are added later. What the run reads is none of them.
+/// The set for the output files, which are added later. Throws std::invalid_argument if one is an input of the run.
 FileSet files_to_write(const Options& o) {
   FileSet files;
   keep_inputs(files, inputs_of(o.reference));
@@ -58,23 +58,23 @@ void run(const Options& o) {
 
 void add_options(CLI::App& app, Options& o) {
   o.python = default_python();
-  app.add_option("reference", o.reference.file, "trajectory file or ROS bag")->required();
-  app.add_option("estimate", o.estimate.file, "the same, to be compared with it")->required();
+  app.add_option("reference", o.reference.file, "reference trajectory: a file or a ROS bag")->required();
+  app.add_option("estimate", o.estimate.file, "estimated trajectory: a file or a ROS bag")->required();
   add_trajectory_options(app, o.reference, nullptr, "reference");
   add_trajectory_options(app, o.estimate, nullptr, "estimate");
 
   const char* const time = "Time";
-  app.add_option("--max-difference", o.max_difference, "between the times of a pair [s]")
+  app.add_option("--max-difference", o.max_difference, "largest time difference of a pair [s]")
       ->capture_default_str()
       ->group(time);
-  app.add_option("--time-offset", o.time_offset, "to be added to the stamps of the estimate [s]")
+  app.add_option("--time-offset", o.time_offset, "time to add to the stamps of the estimate [s]")
       ->capture_default_str()
       ->group(time);
   auto* estimated = app.add_flag("--estimate-time-offset", o.estimate_time_offset,
-                                 "find it, from the angular speeds of both, and add it, too");
+                                 "estimate a time offset from both angular speeds, and add it to --time-offset");
   estimated->group(time);
   app.add_option("--time-offset-range", o.time_offset_range,
-                 "on both sides of --time-offset, in which it is sought [s]")
+                 "range of the search on both sides of --time-offset [s]")
       ->needs(estimated)
       ->capture_default_str()
       ->group(time);
@@ -86,36 +86,37 @@ void add_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember(alignments))
       ->capture_default_str()
       ->group(place);
-  app.add_option("--align-poses", o.align_poses, "use only so many pairs for it, from the first on; default: all")
+  app.add_option("--align-poses", o.align_poses, "align with this many pairs only, from the first; default: all")
       ->check(CLI::Range(1, 1000000000))
       ->group(place);
 
   const char* const relative = "Relative errors";
-  app.add_option("--delta", o.delta, "that RPE is taken over: frames, seconds, or metres of the estimate's path")
+  app.add_option("--delta", o.delta, "interval of RPE: frames, seconds, or metres of the estimate's path")
       ->capture_default_str()
       ->group(relative);
-  app.add_option("--delta-unit", o.unit, "of that")
+  app.add_option("--delta-unit", o.unit, "unit of --delta")
       ->check(CLI::IsMember({"frames", "s", "m"}))
       ->capture_default_str()
       ->group(relative);
-  app.add_flag("--all-pairs", o.all_pairs, "take RPE from every pose on, overlapping, not one after the other")
+  app.add_flag("--all-pairs", o.all_pairs, "compute RPE over overlapping intervals, one from every pose")
       ->group(relative);
-  app.add_option("--lengths", o.lengths, "of the reference's path, that drift is taken over [m]")
+  app.add_option("--lengths", o.lengths, "lengths of the reference's path to compute drift over [m]")
       ->capture_default_str()
       ->group(relative);
 
   const char* const files = "Files";
   app.add_option("--csv", o.csv, "also write the table to this file, with all digits")->group(files);
   app.add_option("--errors", o.errors, "write the absolute errors of all pairs to this file (csv)")->group(files);
-  app.add_option("--plot", o.plot, "draw paths and errors: .png or .svg; needs Python with matplotlib")->group(files);
-  app.add_option("--python", o.python, "for the plot; default: $SPLINERTIA_PYTHON or python3")
+  app.add_option("--plot", o.plot, "draw paths and errors to this .png or .svg file; needs Python with matplotlib")
+      ->group(files);
+  app.add_option("--python", o.python, "Python interpreter for the plot; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str()
       ->group(files);
 }
 
 void check(const Options& o) {
   if (o.unit == "frames" && !(o.delta >= 1 && o.delta <= 1e9 && o.delta == std::floor(o.delta))) {
-    throw std::invalid_argument(message("--delta: ", o.delta, ", expected a whole number of frames from 1 on"));
+    throw std::invalid_argument(message("--delta: ", o.delta, ", expected a whole number of frames >= 1"));
   }
   if (!(o.delta > 0) || !is_finite(o.delta)) {
     throw std::invalid_argument(message("--delta: ", o.delta, ' ', o.unit, ", expected a number > 0"));
@@ -129,7 +130,7 @@ void check(const Options& o) {
   }
   if (o.align_poses && (o.align == "none" || o.align == "origin")) {
     throw std::invalid_argument(
-        message("--align-poses: --align ", o.align, " has no use for it, expected yaw, se3 or sim3"));
+        message("--align-poses: --align ", o.align, " does not use it, expected yaw, se3 or sim3"));
   }
   for (const double length : o.lengths) {
     if (!(length > 0) || !is_finite(length)) {
@@ -147,7 +148,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Compares two trajectories and prints the statistics of absolute (ATE) and relative (RPE) errors, in metres and "
       "degrees, as evo_ape and evo_rpe define them, and drift over lengths of path, as KITTI does.\n\n"
-      "Poses are paired with the nearest in time; the estimate is aligned with the reference if you say how."};
+      "Poses are paired with the nearest in time. --align aligns the estimate with the reference."};
   Options options;
   add_options(app, options);
   return run_program("compare_trajectories", app, argc, argv, [&] {

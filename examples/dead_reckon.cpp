@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Dead reckoning from a known state: the IMU samples of a file are integrated over windows that each begin at the true
-// state of a trajectory file, and the error at the end of each is what the IMU and the scheme leave over.
+// Dead reckoning from known states: integrates the IMU samples of a file over windows that each begin at the true state
+// of a trajectory file. The error at the end of a window is due to the IMU and the integration scheme.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -30,12 +30,12 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-/// How a scheme does over windows of one length.
+/// The errors of a scheme over windows of one length.
 struct Row {
   double window;                               // s
   std::vector<double> position{}, attitude{};  // errors at the ends, m and deg
-  std::size_t gaps = 0;                        // that were bridged
-  std::size_t skipped = 0;                     // windows whose end is not known
+  std::size_t gaps = 0;                        // number of gaps that were bridged
+  std::size_t skipped = 0;                     // number of windows without a sample or a true state at their end
 };
 
 using Samples = std::vector<EurocImu>;
@@ -46,17 +46,17 @@ struct Inputs {
   Setup setup;
 };
 
-/// The error at the end of the window that begins with samples[first], where the truth is `start`.
+/// Integrates samples[first] to samples[last] from the true state `start` and adds the errors against `end` to `row`.
 template <typename Scheme>
 void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const Truth& start, const State& end,
                    const Options& o, Row& row) {
   const Samples& samples = in.samples;
   const Setup& setup = in.setup;
   const ImuBias<double> bias{setup.gyro_bias.value_or(start.bias.gyro), setup.accel_bias.value_or(start.bias.accel)};
-  // The body turns as the IMU on it does.
+  // The IMU is fixed to the body, so both have the same angular velocity.
   State state = imu_state(start.state, setup.arm, setup.arm.R_BI * (samples[first].gyro - bias.gyro));
   state.time = samples[first].time;
-  const State truth = imu_state(end, setup.arm, Eigen::Vector3d::Zero());  // its velocity is not looked at
+  const State truth = imu_state(end, setup.arm, Eigen::Vector3d::Zero());  // its velocity is not used
   const GapOptions<double> gaps{o.longest_gap, o.bridge ? GapPolicy::bridge : GapPolicy::refuse};
   Integrator<Scheme, double, nanoseconds> integrator(state, setup.gravity, gaps);
   try {
@@ -68,7 +68,7 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(message(o.imu.string(), ": in the window of ", row.window, " s that begins at ",
                                      samples[first].time.count(), ": ", error.what(),
-                                     " (--longest-gap, --bridge-gaps; simulate_imu leaves samples inside holes out)"));
+                                     " (--longest-gap, --bridge-gaps; simulate_imu leaves out samples inside holes)"));
   }
   const State& reckoned = integrator.state();
   row.gaps += integrator.gaps();
@@ -76,8 +76,8 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
   row.attitude.push_back(increment(truth.R_WB, reckoned.R_WB).norm() / units::degree);
 }
 
-/// Cuts the samples into windows, each beginning where the last one ends, and integrates each from the truth there. A
-/// window ends with the sample nearest to its length, if that is so to within 1 %.
+/// Cuts the samples into consecutive windows and integrates each from the true state at its beginning. A window ends at
+/// the sample nearest to its nominal end. It is skipped if its length is then wrong by more than 1 %.
 template <typename Scheme>
 Row reckon(const Inputs& in, double window, const Options& o) {
   const Samples& samples = in.samples;
@@ -100,7 +100,7 @@ Row reckon(const Inputs& in, double window, const Options& o) {
     if (nearer_before && last - 1 > first) --last;
     if (last == samples.size()) break;
     const bool as_long = std::abs(to_seconds<double>(samples[last].time - target)) <= 0.01 * window;
-    if (!as_long && next == samples.end()) break;  // what is left over
+    if (!as_long && next == samples.end()) break;  // the rest is shorter than a window
     const auto end = truth_at(samples[last].time);
     if (as_long && end) {
       reckon_window<Scheme>(in, first, last, *start, end->state, o, row);
@@ -112,8 +112,8 @@ Row reckon(const Inputs& in, double window, const Options& o) {
   if (row.position.empty()) {
     const auto span = [](nanoseconds from, nanoseconds to) { return message(from.count(), " to ", to.count(), " ns"); };
     throw std::runtime_error(message("no window of ", window, " s in which both files have data: ", o.imu.string(),
-                                     " is from ", span(samples.front().time, samples.back().time), ", ",
-                                     o.trajectory.file.string(), " from ",
+                                     " covers ", span(samples.front().time, samples.back().time), ", ",
+                                     o.trajectory.file.string(), " covers ",
                                      span(in.truth.rows.front().state.time, in.truth.rows.back().state.time)));
   }
   return row;
@@ -125,7 +125,7 @@ const std::map<std::string, Row (*)(const Inputs&, double, const Options&)> sche
     {"rk4", reckon<RungeKutta4>},   {"rk4-double-step", reckon<RungeKutta4DoubleStep>},
     {"magnus4", reckon<Magnus4>}};
 
-/// The value below which `share` of the values are, linear between them; half way it is the median.
+/// The quantile at `share` (0 to 1), linearly interpolated between values; 0.5 gives the median.
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
@@ -177,22 +177,21 @@ void run(const Options& o) {
   std::fputs(truth.notes.c_str(), stdout);
   std::printf("%s: %zu samples over %g s\n%s: %zu %s over %g s\n", o.imu.string().c_str(), samples.size(),
               to_seconds<double>(samples.back().time - samples.front().time), o.trajectory.file.string().c_str(),
-              truth.rows.size(), truth.with_velocities ? "states" : "poses with neighbours to take a velocity from,",
+              truth.rows.size(), truth.with_velocities ? "states" : "poses with a velocity from their neighbours",
               to_seconds<double>(truth.rows.back().state.time - truth.rows.front().state.time));
   std::vector<Row> rows;
   for (const double window : o.windows) rows.push_back(schemes.at(o.scheme)(in, window, o));
 
   std::printf("%s, velocities %s, %s\n%s\n", o.scheme.c_str(),
-              truth.with_velocities ? "of the trajectory file" : "from its poses", bias_text(used).c_str(),
+              truth.with_velocities ? "from the trajectory file" : "from its poses", bias_text(used).c_str(),
               mounting_text(used).c_str());
   print_table(rows);
   for (const Row& row : rows) {
     if (row.gaps > 0) {
-      std::printf("%g s: gaps of more than %g s that were integrated across: %zu\n", row.window, o.longest_gap,
-                  row.gaps);
+      std::printf("%g s: gaps longer than %g s that were bridged: %zu\n", row.window, o.longest_gap, row.gaps);
     }
     if (row.skipped > 0) {
-      std::printf("%g s: windows skipped for want of a sample or of truth at their end: %zu\n", row.window,
+      std::printf("%g s: windows skipped without a sample or a true state at their end: %zu\n", row.window,
                   row.skipped);
     }
   }
@@ -227,25 +226,27 @@ void add_vector(CLI::App& app, const char* name, std::optional<Eigen::Vector3d>&
 }
 
 CLI::Option* add_options(CLI::App& app, Options& o) {
-  app.add_option("imu", o.imu, "EuRoC IMU samples: ns wx wy wz ax ay az, commas or blanks between")->required();
-  app.add_option("trajectory", o.trajectory.file, "trajectory of the IMU, or of the body it is on: a file or a ROS bag")
+  app.add_option("imu", o.imu, "EuRoC IMU samples: ns wx wy wz ax ay az, separated by commas or blanks")->required();
+  app.add_option("trajectory", o.trajectory.file,
+                 "trajectory of the IMU, or of the body that carries it: a file or a ROS bag")
       ->required();
   add_trajectory_options(app, o.trajectory);
   app.add_option("--scheme", o.scheme, "integration scheme")->check(CLI::IsMember(schemes))->capture_default_str();
-  app.add_option("--windows", o.windows, "lengths [s]")->capture_default_str();
+  app.add_option("--windows", o.windows, "lengths of the windows [s]")->capture_default_str();
   app.add_option("--calibration", o.calibration,
-                 "file that fit_trajectory writes: biases, gravity, mounting and time offset of the IMU");
-  add_vector(app, "--gyro-bias", o.gyro_bias, "to be subtracted from the samples [rad/s]");
-  add_vector(app, "--accel-bias", o.accel_bias, "and [m/s^2]");
-  add_vector(app, "--lever-arm", o.lever_arm, "p_BI: the IMU in the body whose poses the trajectory has [m]");
+                 "calibration file of fit_trajectory: biases, gravity, mounting and time offset of the IMU");
+  add_vector(app, "--gyro-bias", o.gyro_bias, "gyroscope bias to subtract from the samples [rad/s]");
+  add_vector(app, "--accel-bias", o.accel_bias, "accelerometer bias to subtract from the samples [m/s^2]");
+  add_vector(app, "--lever-arm", o.lever_arm, "p_BI: position of the IMU in the body of the trajectory [m]");
   app.add_flag("--keep-biases", o.keep_biases, "do not remove the biases of the trajectory or the calibration file")
       ->excludes("--gyro-bias")
       ->excludes("--accel-bias");
   CLI::Option* gravity = add_gravity_option(app, o.gravity);
   app.add_option("--longest-gap", o.longest_gap,
-                 "between samples, and between poses [s]; a longer one of samples is refused, of poses has no truth")
+                 "longest gap between samples, and between poses [s]; longer gaps between samples are an error, longer "
+                 "gaps between poses have no true states")
       ->capture_default_str();
-  app.add_flag("--bridge-gaps", o.bridge, "integrate across longer ones of samples, and count them");
+  app.add_flag("--bridge-gaps", o.bridge, "integrate across longer gaps between samples, and count them");
   app.add_option("--csv", o.csv, "also write the table to this file");
   return gravity;
 }
@@ -255,11 +256,10 @@ CLI::Option* add_options(CLI::App& app, Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Integrates the IMU samples of a file over windows, each from the true state of a trajectory file, and prints "
-      "how far off the ends are.\n\n"
-      "Velocities are those of the trajectory file where it has them (EuRoC ground truth of 17 columns), else they "
-      "come "
-      "from its poses. Biases, gravity and the lever arm are taken from their options, else from the calibration file; "
-      "else biases are those of the trajectory file at the beginning of each window, where it has them."};
+      "the errors at their ends.\n\n"
+      "Velocities are taken from the trajectory file if it has them (EuRoC ground truth with 17 columns), else from "
+      "its poses. Biases, gravity and the lever arm are taken from their options, else from the calibration file. "
+      "Without either, biases are those of the trajectory file at the beginning of each window, if it has them."};
   Options options;
   const CLI::Option* gravity = add_options(app, options);
   return run_program("dead_reckon", app, argc, argv, [&] {

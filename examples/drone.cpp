@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What an IMU on a drone would measure in a banked turn, along splines of order 4 and 6 on SO(3) x R^3. The orders
-// differ in how smooth they are at knots: the fourth has jumps in the jerk, the sixth has none.
+// differ in smoothness at knots: order 4 has jumps in the jerk, order 6 has none.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 constexpr double radius = 10, speed = 5, interval = 0.25;  // m, m/s, s
 constexpr double yaw_rate = speed / radius;
 
-/// In a turn without slip the drone leans so that what it feels points along its z axis.
+/// In a turn without slip the drone banks so that the specific force is along its z axis.
 std::vector<SO3xR3<double>> banked_turn() {
   const double bank = std::atan2(speed * yaw_rate, 9.80665);
   std::vector<SO3xR3<double>> points;
@@ -31,7 +31,7 @@ std::vector<SO3xR3<double>> banked_turn() {
   return points;
 }
 
-/// The largest change of a quantity from one unit in the last place before a knot to the knot.
+/// The largest change of a quantity from the last floating-point time before a knot to the knot.
 double largest_jump(const auto& curve, const auto& quantity) {
   double largest = 0;
   for (double knot = curve.start() + interval; knot < curve.end(); knot += interval) {
@@ -61,7 +61,7 @@ void fly(const char* name) {
 
 int main() {
   return run_program("drone", [] {
-    std::printf("A turn of %g m at %g m/s: %.4f m/s^2 along z is what keeps it up and round\n", radius, speed,
+    std::printf("A turn of radius %g m at %g m/s needs a specific force of %.4f m/s^2 along z\n", radius, speed,
                 std::hypot(9.80665, speed * yaw_rate));
     fly<4>("cubic");
     fly<6>("quintic");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A curve from noisy poses and an IMU, with Ceres: control points, biases and the direction of gravity are estimated
-// together, and compared with the truth that the measurements were simulated from.
+// Estimates a curve from noisy poses and an IMU with Ceres: control points, biases and the direction of gravity
+// together. Compares the result with the truth from which the measurements were simulated.
 
 #include <ceres/problem.h>
 #include <ceres/solver.h>
@@ -40,7 +40,7 @@ struct Options {
   std::filesystem::path csv;
 };
 
-/// An error term of our own: what a sensor is off by since it was turned on.
+/// A user-defined error term: a constant turn-on bias.
 struct TurnOnBias {
   struct State {};
   Eigen::Vector3d bias;
@@ -50,7 +50,7 @@ struct TurnOnBias {
   }
 };
 
-/// What is known, or thought, of the motion, the sensors and the world.
+/// Motion, biases and gravity: the true values, or an estimate of them.
 struct Estimate {
   UniformKnots<double> knots;
   std::vector<Sophus::SO3d> rotations;
@@ -71,7 +71,7 @@ struct Measurements {
   std::vector<ImuReading> imu;
 };
 
-/// A lively flight around the origin. Control point i belongs to (i − 1) knot intervals.
+/// An agile flight around the origin. Control point i belongs to the time of i − 1 knot intervals.
 Estimate true_motion(const Options& o) {
   Estimate e{.knots = {.start = 0, .interval = o.knot_interval}, .rotations = {}, .positions = {}};
   const auto segments = static_cast<int>(std::ceil(o.duration / o.knot_interval - 1e-9));
@@ -106,7 +106,7 @@ Measurements measure(const Estimate& truth, const Options& o) {
   return m;
 }
 
-/// Where the estimation starts: each control point at the measured poses of its time, no biases, gravity tilted.
+/// The initial estimate: control points interpolated from the measured poses, zero biases, tilted gravity.
 Estimate first_guess(const Measurements& m, const Estimate& truth, const Options& o) {
   Estimate e{.knots = truth.knots, .rotations = {}, .positions = {}};
   std::size_t i = 0;
@@ -125,7 +125,7 @@ Estimate first_guess(const Measurements& m, const Estimate& truth, const Options
   return e;
 }
 
-/// Least squares over everything in `e`, which Ceres works on in place.
+/// Optimises all unknowns in `e` in place, by nonlinear least squares.
 ceres::Solver::Summary estimate(Estimate& e, const Measurements& m, const Options& o) {
   ceres::Problem problem;
   auto* rotations = new CeresManifold<Sophus::SO3d>;  // the problem owns it
@@ -246,22 +246,24 @@ void run(const Options& o) {
 }
 
 void add_options(CLI::App& app, Options& o) {
-  app.add_option("--duration", o.duration, "of the motion [s]")->capture_default_str();
-  app.add_option("--knot-interval", o.knot_interval, "of the curve [s]")->capture_default_str();
-  app.add_option("--imu-rate", o.imu_rate, "IMU samples a second [Hz]")->capture_default_str();
-  app.add_option("--pose-rate", o.pose_rate, "poses a second [Hz]")->capture_default_str();
-  app.add_option("--position-noise", o.position_noise, "of a pose, standard deviation [m]")->capture_default_str();
-  app.add_option("--attitude-noise", o.attitude_noise, "of a pose, standard deviation [rad]")->capture_default_str();
+  app.add_option("--duration", o.duration, "duration of the motion [s]")->capture_default_str();
+  app.add_option("--knot-interval", o.knot_interval, "knot interval of the curve [s]")->capture_default_str();
+  app.add_option("--imu-rate", o.imu_rate, "sampling rate of the IMU [Hz]")->capture_default_str();
+  app.add_option("--pose-rate", o.pose_rate, "rate of the poses [Hz]")->capture_default_str();
+  app.add_option("--position-noise", o.position_noise, "standard deviation of a position [m]")->capture_default_str();
+  app.add_option("--attitude-noise", o.attitude_noise, "standard deviation of an attitude [rad]")
+      ->capture_default_str();
   app.add_option("--gyro-noise", o.gyro_noise, "white noise density [rad/s/sqrt(Hz)]")->capture_default_str();
   app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)]")->capture_default_str();
-  app.add_option("--gravity-tilt", o.gravity_tilt, "how far off the first guess of gravity is [deg]")
+  app.add_option("--gravity-tilt", o.gravity_tilt, "error of the first guess of gravity [deg]")->capture_default_str();
+  app.add_option("--iterations", o.iterations, "largest number of iterations")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--iterations", o.iterations, "at most")->check(CLI::PositiveNumber)->capture_default_str();
-  add_whole_number_option(app, "--seed", o.seed, "of the noise; the same seed gives the same measurements everywhere");
+  add_whole_number_option(app, "--seed", o.seed, "seed of the noise; gives the same measurements on every machine");
   app.add_option("--csv", o.csv, "also write the table of errors to this file");
 }
 
-/// All of these divide something.
+/// Throws std::invalid_argument for an option that is out of range. Most are divisors and must be positive.
 void check(const Options& o) {
   const auto require = [](const char* name, double value, double most) {
     if (!(value > 0 && value <= most)) {
@@ -290,8 +292,8 @@ void check(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Simulates noisy poses and an IMU with biases along a motion, and estimates from them, with Ceres, the control\n"
-      "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints how far they are from the\n"
-      "truth before and after."};
+      "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints their errors before and\n"
+      "after."};
   Options options;
   add_options(app, options);
   return run_program("estimate_trajectory", app, argc, argv, [&] {

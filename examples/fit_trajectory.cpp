@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From poses to a curve: a trajectory goes in, a spline comes out with its control points, its residuals, what an IMU
-// along it would read, and a report that says how far to trust it.
+// Fits a spline to the poses of a trajectory. Writes its control points, its residuals, the readings of an ideal IMU
+// along it, and a report that says how far to trust it.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -32,13 +32,14 @@ void plot(const Options& o) {
   try {
     PythonScript(o.python, "plot_fit.py", {o.output.string()}, PythonScript::Output::shared).finish();
     std::printf("wrote fit.png and fit.svg to %s\n", o.output.string().c_str());
-  } catch (const ScriptFailed&) {  // the plot is an extra, and why there is none has been said
+  } catch (const ScriptFailed&) {  // the plot is optional, and the script has printed the reason
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "no plot: %s\n", error.what());
   }
 }
 
-/// Files that are there only sometimes are checked before they are written.
+/// Throws std::invalid_argument if an output file is also an input of the run. Files that are not always written are
+/// checked again when they are begun.
 OutputFolder output_folder(const Options& o) {
   Inputs inputs = inputs_of(o.input);
   inputs.push_back(o.imu.file);
@@ -66,7 +67,7 @@ void run(Options& o) {
   const std::string report = fit_report(input, fitted, o.fit, imu, found);
   if (const std::string reason = not_converged(fitted, o.fit); !reason.empty() && !o.fit.accept) {
     std::fputs(report.c_str(), stdout);
-    throw NotAccepted(reason + "; nothing is written (--accept takes the result as it is)");
+    throw NotAccepted(reason + "; nothing is written (--accept writes the result anyway)");
   }
   const WrittenFiles written = write_files(fitted, report, o, folder);
   std::fputs(report.c_str(), stdout);
@@ -75,19 +76,23 @@ void run(Options& o) {
 }
 
 void add_imu_options(CLI::App& app, FitImu& imu) {
-  const char* const group = "An IMU that was there";
-  auto* file = app.add_option("--imu", imu.file, "its samples: EuRoC imu csv, commas or blanks; calibrates it");
+  const char* const group = "Recorded IMU";
+  auto* file = app.add_option("--imu", imu.file, "samples of an IMU to calibrate: EuRoC imu csv, commas or blanks");
   file->group(group);
   auto* gyro = app.add_option("--gyro-deviation", imu.gyro_deviation,
-                              "standard deviation of a sample [rad/s]; default: found in the residuals");
-  auto* accel = app.add_option("--accel-deviation", imu.accel_deviation, "and [m/s^2]");
+                              "standard deviation of a gyroscope sample [rad/s]; default: found in the residuals");
+  auto* accel = app.add_option("--accel-deviation", imu.accel_deviation,
+                               "standard deviation of an accelerometer sample [m/s^2]");
   gyro->needs(accel)->needs(file)->group(group);
   accel->needs(gyro)->group(group);
-  app.add_flag("--estimate-lever-arm", imu.estimate_lever_arm, "where it is in the body")->needs(file)->group(group);
-  app.add_flag("--estimate-time-offset", imu.estimate_time_offset, "between its clock and the trajectory's")
+  app.add_flag("--estimate-lever-arm", imu.estimate_lever_arm, "estimate the position of the IMU in the body")
       ->needs(file)
       ->group(group);
-  app.add_flag("--fit-imu", imu.fit_together, "fit the curve to its samples, too; needs their deviations")
+  app.add_flag("--estimate-time-offset", imu.estimate_time_offset,
+               "estimate the offset between the clocks of the IMU and the trajectory")
+      ->needs(file)
+      ->group(group);
+  app.add_flag("--fit-imu", imu.fit_together, "also fit the curve to the samples of the IMU")
       ->needs(file)
       ->needs(gyro)
       ->group(group);
@@ -99,14 +104,15 @@ void add_options(CLI::App& app, Options& o) {
   trajectory->required();
   app.add_option(
          "-o,--output", o.output,
-         "folder for control_points.csv (there only if all files are complete), knots.csv, residuals.csv, gaps.csv, "
+         "folder for control_points.csv (exists only if all files are complete), knots.csv, residuals.csv, gaps.csv, "
          "derived_imu.csv (EuRoC), imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg")
       ->capture_default_str();
-  app.add_option("--rate", o.rate, "of derived_imu.csv [Hz]")->capture_default_str();
-  app.add_flag("--keep-holes", o.keep_holes, "keep the readings where there are no poses, which are invented");
+  app.add_option("--rate", o.rate, "sampling rate of derived_imu.csv [Hz]")->capture_default_str();
+  app.add_flag("--keep-holes", o.keep_holes, "keep the readings inside holes without poses, which are invented");
   add_gravity_option(app, o.gravity);
-  app.add_flag("--no-plot", o.no_plot, "no fit.png and .svg, which need Python with matplotlib");
-  app.add_option("--python", o.python, "for the plot; default: $SPLINERTIA_PYTHON or python3")->capture_default_str();
+  app.add_flag("--no-plot", o.no_plot, "do not draw fit.png and .svg, which need Python with matplotlib");
+  app.add_option("--python", o.python, "Python interpreter for the plot; default: $SPLINERTIA_PYTHON or python3")
+      ->capture_default_str();
   add_trajectory_options(app, o.input);
   add_fit_options(app, o.fit, trajectory);
   add_imu_options(app, o.imu);
@@ -127,8 +133,8 @@ void check(const Options& o) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Fits a spline to the poses of a trajectory: smooth, with velocities and accelerations that mean something,\n"
-      "and says how far it is from the poses, which of them lie off, and where nothing holds it."};
+      "Fits a smooth spline with usable velocities and accelerations to the poses of a trajectory.\n"
+      "Reports its residuals, the outliers among the poses, and the holes in which no poses measure it."};
   Options options;
   add_options(app, options);
   return run_program("fit_trajectory", app, argc, argv, [&] {

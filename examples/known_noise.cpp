@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Simulates IMUs at rest whose noise is known, writes what they measure as csv and as a ROS bag, reads it back from the
-// bag, identifies the noise and holds it against the truth: an Allan analysis from end to end.
+// Simulates IMUs at rest with known noise, writes their samples as csv and as a ROS bag, reads them back from the bag,
+// identifies the noise and compares it with the truth: an Allan analysis from end to end.
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -51,7 +51,7 @@ struct KnownImu {
 constexpr std::array<KnownImu, 2> known_imus{KnownImu{"course", {0.015, 5e-5}, {0.019, 5e-4}},
                                              KnownImu{"course_quiet", {0.005, 1e-5}, {3e-4, 1e-4}}};
 
-/// Samples of an IMU at rest, z up, from one second after the epoch on: bags have no time zero.
+/// Writes samples of an IMU at rest, z up. They start one second after the epoch, because bags have no time zero.
 void simulate_to(const std::filesystem::path& csv, const KnownImu& known, const Options& o) {
   using std::chrono::nanoseconds;
   const Imu imu{ErrorModel{RandomWalk{known.gyro.K}, WhiteNoise{known.gyro.N}},
@@ -71,7 +71,7 @@ void simulate_to(const std::filesystem::path& csv, const KnownImu& known, const 
   writer.commit();
 }
 
-/// A line for one coefficient: truth, estimate, and how far the one is from the other.
+/// Prints one coefficient: truth, estimate, interval, error, and whether the truth is in the interval.
 void compare(std::string_view sensor, allan::NoiseTerm term, double truth, const allan::Estimate<double>& estimate) {
   const bool inside = estimate.interval.lower <= truth && truth <= estimate.interval.upper;
   if (estimate.detected) {
@@ -106,7 +106,7 @@ void run(const KnownImu& known, const Options& o) {
   std::puts("sensor        term  truth    estimate   95 % interval           off      in it");
   for (const SensorNoise& sensor : noise.sensors) {
     const Densities& truth = sensor.kind == SensorKind::gyro ? known.gyro : known.accel;
-    // All axes together unless chance makes them differ, as it does in one log of a hundred.
+    // The estimate of all axes together, unless they differ. By chance this happens in one log out of a hundred.
     for (const auto& row : sensor.rows()) {
       if (sensor.pooled && row.name != "all") continue;
       compare(sensor_name(sensor.kind), allan::NoiseTerm::white, truth.N, row.noise->N);
@@ -120,19 +120,21 @@ void run(const KnownImu& known, const Options& o) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "IMUs at rest of known noise, simulated, written as csv and as a ROS bag, read back from the bag, identified, "
-      "plotted and held against the truth."};
+      "Simulates IMUs at rest with known noise, writes their samples as csv and as a ROS bag, reads them back from the "
+      "bag, identifies and plots the noise, and compares it with the truth."};
   Options options;
-  app.add_option("--duration", options.duration, "s")->check(CLI::Range(10.0, 1e6))->capture_default_str();
-  app.add_option("--rate", options.rate, "Hz")->check(CLI::Range(1.0, 1e5))->capture_default_str();
-  add_whole_number_option(app, "--seed", options.seed, "of the random numbers");
-  app.add_option("--format", options.format, "bag is that of ROS 1, mcap and db3 are of ROS 2")
+  app.add_option("--duration", options.duration, "duration [s]")->check(CLI::Range(10.0, 1e6))->capture_default_str();
+  app.add_option("--rate", options.rate, "sampling rate [Hz]")->check(CLI::Range(1.0, 1e5))->capture_default_str();
+  add_whole_number_option(app, "--seed", options.seed, "seed of the random numbers");
+  app.add_option("--format", options.format, "format of the ROS bag: bag of ROS 1, mcap or db3 of ROS 2")
       ->check(CLI::IsMember({"bag", "mcap", "db3"}))
       ->capture_default_str();
-  app.add_option("-o,--output", options.output, "folder for a folder each: imu.csv, imu.bag, curves.csv, noise.csv, …")
+  app.add_option("-o,--output", options.output,
+                 "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …")
       ->capture_default_str();
-  app.add_flag("--no-plot", options.no_plot, "no allan.png and .svg, which need Python with matplotlib");
-  app.add_option("--python", options.python, "with rosbags; default: $SPLINERTIA_PYTHON or python3")
+  app.add_flag("--no-plot", options.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
+  app.add_option("--python", options.python,
+                 "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str();
   return run_program("known_noise", app, argc, argv, [&] {
     for (const KnownImu& known : known_imus) run(known, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An error term of your own: a struct with parameters, a state and one function. This one makes a sensor stick now and
-// then, so that a sample repeats the reading before it, as it happens on a busy bus. It composes with the library's
-// terms, costs nothing where it is not named, and draws from random streams of its own.
+// then: a sample repeats the previous reading, as on a busy bus. It composes with the library's terms, costs nothing in
+// models that do not use it, and draws from its own random streams.
 
 #include <cstdio>
 #include <splinertia/splinertia.hpp>
@@ -18,7 +18,7 @@ struct Sticking {
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
   };
 
-  double probability;  // that a sample repeats the one before
+  double probability;  // that a sample repeats the previous one
 
   void apply(Sample<double>& sample, auto& state) const {
     if (state.uniform() < probability && !sample.first) sample.value = state.last;

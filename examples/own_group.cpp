@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How to adapt a group of your own: one specialisation of GroupTraits (docs/own_group.md goes through it). The group
-// here is Sim(2), the maps of the plane that turn, scale and shift: z -> a z + b with complex a and b, which is what
-// the scale drift of a monocular map looks like from above. The library knows nothing of it.
+// How to adapt a group of your own: one specialisation of GroupTraits (docs/own_group.md explains it). The group here
+// is Sim(2), the rotations, scalings and translations of the plane: z -> a z + b with complex a and b. The scale drift
+// of a monocular map, seen from above, is such a map. The library knows nothing about this group.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Similarity {
   Complex b{0};  // translation
 };
 
-// (e^s - 1)/s and (e^s - 1 - s)/s^2: by their series where the closed forms cancel.
+// f = (e^s - 1)/s and g = (e^s - 1 - s)/s^2, as series where the closed forms lose digits by cancellation.
 struct Coefficients {
   Complex f, g;
 
@@ -46,7 +46,7 @@ struct splinertia::GroupTraits<Similarity> {
   using Square = Eigen::Matrix4d;
   static constexpr int Dof = 4;
 
-  // What a curve needs.
+  // Needed by a curve.
   static Similarity identity() { return {}; }
   static Similarity compose(const Similarity& x, const Similarity& y) { return {x.a * y.a, x.a * y.b + x.b}; }
   static Similarity inverse(const Similarity& x) { return {1.0 / x.a, -x.b / x.a}; }
@@ -60,7 +60,7 @@ struct splinertia::GroupTraits<Similarity> {
   }
   static Vector bracket(const Vector& a, const Vector& b) { return tangent(s(a) * rho(b) - s(b) * rho(a), 0); }
 
-  // What its Jacobians need besides.
+  // Also needed by its Jacobians.
   static Square left_jacobian(const Vector& tau) {
     const Coefficients c(s(tau));
     return matrix(c.f, -rho(tau) * c.g);
@@ -89,7 +89,7 @@ static_assert(splinertia::LieGroupWithJacobians<Similarity>);
 
 int main() {
   return run_program("own_group", [] {
-    // Control points on one twist, X exp(i twist): the curve is then that motion itself, which can be checked.
+    // Control points along a constant twist. The curve is then exactly that motion, so it can be checked.
     using Sim2 = GroupTraits<Similarity>;
     const Eigen::Vector4d twist(1, 0.5, 0.1, 0.4);  // per second
     std::vector<Similarity> points;
@@ -102,7 +102,7 @@ int main() {
     std::printf("constant twist: value off by %.0e, velocity by %.0e\n",
                 increment(Sim2::exp(1.3 * twist), m.value).norm(), (m.velocity - twist).norm());
 
-    // Any curve: derivatives and Jacobians against central differences.
+    // A general curve: compares derivatives and Jacobians with central differences.
     points[2] = Sim2::compose(points[2], Sim2::exp({0.3, -0.2, 0.1, -0.5}));
     curve.set_control_point(2, points[2]);
     const double t = 1.3, h = 1e-5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job: a trajectory goes in, what an IMU would have measured along it comes out, and integrating that back
-// shows how far the noise and the integration scheme carry the estimate away.
+// Simulates an IMU along a trajectory and integrates its samples back. The result shows the errors that the noise and
+// the integration scheme cause.
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -39,7 +39,7 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-/// Goes through the samples along a trajectory, writes the files and says how well the samples integrate back.
+/// Simulates the samples along a trajectory, writes the files and prints the errors of integrating the samples back.
 class Run {
  public:
   Run(const AnyTrajectory& truth, const std::vector<Hole>& holes, const Options& o, const Sensor& sensor,
@@ -89,7 +89,7 @@ class Run {
   }
 
  private:
-  /// Whether the sample at this time is kept. Integration does not bridge what is left out.
+  /// Whether the sample at this time is kept. After samples that are left out the integration restarts from the truth.
   bool enter(nanoseconds time) {
     const auto hole = hole_at(holes_, time);
     if (hole) ++in_hole_[*hole];
@@ -170,7 +170,7 @@ void simulate_file(const Options& o) {
   const Extremes found = extremes(input.poses, fitted, o.gravity.vector, sensor.rate);
   std::printf("%s\n", fit_report(input, fitted, o.fit, nullptr, found).c_str());
   if (const std::string reason = not_converged(fitted, o.fit); !reason.empty() && !o.fit.accept) {
-    throw NotAccepted(reason + "; nothing is written (--accept takes the result as it is)");
+    throw NotAccepted(reason + "; nothing is written (--accept writes the result anyway)");
   }
   simulate_along(fitted.curve, fitted.holes, o, sensor, folder);
 }
@@ -194,9 +194,8 @@ void simulate_analytic(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{
       "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
-      "To the poses of a file a smooth spline is fitted, from the first to the last; how far it is from them, which "
-      "lie "
-      "off,\nand where they have gaps, is printed. The ground truth written is that of the spline."};
+      "A smooth spline is fitted to the poses of a file, from the first to the last. Its residuals, the outliers,\n"
+      "and the holes without poses are printed. The ground truth written is that of the spline."};
   Options options;
   add_options(app, options);
   return run_program("simulate_imu", app, argc, argv, [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A curve in the plane through waypoints. Control points are not on a B-spline; those of a curve that goes through
-// given points are the solution of a linear system, because a cubic is (P0 + 4 P1 + P2)/6 at its knots. R^n needs Eigen
-// and nothing else: no rotation is anywhere in this program.
+// A curve in the plane through waypoints. A B-spline does not pass through its control points. The control points of a
+// curve through given points solve a linear system, because a cubic is (P0 + 4 P1 + P2)/6 at its knots. R^n needs only
+// Eigen, because this program has no rotations.
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double interval = 2;  // s from waypoint to waypoint
 
-/// The cubic that is at one waypoint after the other, its acceleration zero at both ends.
+/// The cubic that passes through the waypoints one after the other, with zero acceleration at both ends.
 Curve through(const std::vector<Eigen::Vector2d>& waypoints) {
   const auto n = static_cast<Eigen::Index>(waypoints.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 2, n + 2);
@@ -58,7 +58,7 @@ int main() {
         nearest = std::min(nearest, (curve.control_points()[i + 1] - waypoints[i]).norm());
       }
     }
-    std::printf("the curve is within %.0e m of its waypoints, its inner control points are %.2f m and more from them\n",
+    std::printf("the curve is within %.0e m of its waypoints, its inner control points at least %.2f m from them\n",
                 largest, nearest);
   });
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A robot on two wheels needs SE(2) and nothing else: half the numbers of a pose in space, and no quaternion. Wheels
-// roll and do not slide, so its velocity in its own frame is (vx, 0, omega); a spline over control points that obey
-// this keeps it to a few per cent where the commands change, and exactly where they do not.
+// A wheeled robot in the plane, without an IMU: SE(2) has half the numbers of a pose in space, and no quaternion. For a
+// robot with an IMU use SO3xR3 (docs/splines.md). Wheels roll and do not slide, so the velocity in the robot's frame is
+// (vx, 0, omega). If the control points obey this, the spline does so to a few per cent where the commands change, and
+// exactly where they do not.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ struct Command {
 
 constexpr double interval = 0.2, wheel_distance = 0.4;  // s, m
 
-/// Each control point is the one before it, driven on for an interval: X exp(twist * interval).
+/// Each control point follows from the previous one by driving for one interval: X exp(twist * interval).
 std::vector<Sophus::SE2d> drive(const std::vector<Command>& commands) {
   using SE2 = GroupTraits<Sophus::SE2d>;
   std::vector<Sophus::SE2d> points{SE2::identity()};
@@ -60,6 +61,7 @@ int main() {
                     vx + omega * wheel_distance / 2);
       }
     }
-    std::printf("\nsideways at most %.4f m/s where the turn begins and ends, %.0e m/s within it\n", slip, slip_in_turn);
+    std::printf("\nsideways velocity at most %.4f m/s where the turn begins and ends, %.0e m/s within it\n", slip,
+                slip_in_turn);
   });
 }

@@ -22,8 +22,8 @@ void shift(Poses& poses, double offset) {
   for (auto& pose : poses) pose.time = after(pose.time, offset);
 }
 
-/// The rows of translation and rotation; a figure of the first is given in `unit`s that are `size`, of the second in
-/// deg.
+/// Adds the rows of a metric: translation errors divided by `size`, with the label `unit`, and rotation errors in
+/// degrees, with the label `rotation_unit`.
 void add_rows(std::vector<Row>& rows, const std::string& metric, const Errors& errors, const std::string& unit,
               double size, const std::string& rotation_unit) {
   const auto translation = [size](const PoseError<double>& e) { return e.translation / size; };
@@ -32,14 +32,14 @@ void add_rows(std::vector<Row>& rows, const std::string& metric, const Errors& e
   rows.push_back({metric, "rotation", rotation_unit, error_statistics(errors, degrees)});
 }
 
-/// The index pairs of RPE; none if the trajectory is too short for them.
+/// The index pairs of RPE; empty if the trajectory is too short.
 IndexPairs index_pairs(const Pairs& pairs, const Options& o) {
   const PairSelection selection = o.all_pairs ? PairSelection::all : PairSelection::consecutive;
   try {
     if (o.unit == "m") return index_pairs_by_path(pairs, o.delta, selection);
     if (o.unit == "s") return index_pairs_by_time(pairs, o.delta, selection);
     return index_pairs_by_frames(pairs.size(), static_cast<std::size_t>(o.delta), selection);
-  } catch (const std::invalid_argument&) {  // the delta itself has been checked
+  } catch (const std::invalid_argument&) {  // delta is valid, so the trajectory is too short
     return {};
   }
 }
@@ -89,7 +89,7 @@ Comparison compare(const Poses& reference, Poses estimate, const Options& o) {
       c.estimated_offset = estimate_time_offset(reference, estimate, {.range = o.time_offset_range});
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(message("--estimate-time-offset: ", error.what(),
-                                       " (--time-offset gives one, --time-offset-range the range)"));
+                                       " (--time-offset, --time-offset-range)"));
     }
     c.time_offset += c.estimated_offset->offset;
     shift(estimate, c.estimated_offset->offset);

@@ -23,7 +23,7 @@ struct Row {
 
 struct Comparison {
   std::optional<splinertia::TimeOffset> estimated_offset;
-  double time_offset;  // s, that was added to the estimate's stamps
+  double time_offset;  // s, added to the estimate's stamps
   splinertia::SimilarityTransform<double> transform;
   Pairs pairs;  // aligned
   std::vector<splinertia::PoseError<double>> absolute;
@@ -31,5 +31,5 @@ struct Comparison {
   std::string no_relative, no_drift;  // why there is no RPE, or no drift over some lengths
 };
 
-/// Throws std::exception for what the options ask for and the trajectories do not give.
+/// Throws std::exception if the trajectories do not allow what the options ask for.
 [[nodiscard]] Comparison compare(const Poses& reference, Poses estimate, const Options& options);

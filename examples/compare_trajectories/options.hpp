@@ -11,7 +11,7 @@
 
 #include "support/trajectory_input.hpp"
 
-/// What the command line says.
+/// The command-line options.
 struct Options {
   TrajectoryInput reference, estimate;
 
@@ -21,14 +21,14 @@ struct Options {
   double time_offset_range = 1;  // s
 
   std::string align = "none";
-  std::optional<std::size_t> align_poses;  // all
+  std::optional<std::size_t> align_poses;  // default: all
 
   double delta = 1;
   std::string unit = "frames";
   bool all_pairs = false;
   std::vector<double> lengths{100, 200, 300, 400, 500, 600, 700, 800};  // m
 
-  std::filesystem::path csv, errors, plot;  // empty: none
+  std::filesystem::path csv, errors, plot;  // empty: not written
   std::string python;
 };
 

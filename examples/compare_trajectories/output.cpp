@@ -30,7 +30,7 @@ void print_offset(const Comparison& c, const Options& o) {
   std::puts("");
 }
 
-/// A file that goes away.
+/// A temporary file, removed by the destructor.
 class TemporaryFile {
  public:
   TemporaryFile()

@@ -11,11 +11,11 @@
 void print(const Comparison& comparison, std::size_t reference_poses, std::size_t estimate_poses,
            const Options& options);
 
-/// The statistics, with all digits.
+/// Writes the statistics with all digits.
 void write_table(const std::filesystem::path& path, const Comparison& comparison, splinertia::FileSet& files);
 
-/// A row for each pair: both positions and the absolute errors.
+/// Writes a row for each pair: both positions and the absolute errors.
 void write_errors(const std::filesystem::path& path, const Comparison& comparison, splinertia::FileSet& files);
 
-/// Draws the paths and the errors. Throws ScriptFailed, which has said why, or std::runtime_error.
+/// Draws the paths and the errors. Throws ScriptFailed if the script has printed the reason, else std::runtime_error.
 void plot(const Comparison& comparison, const Options& options);

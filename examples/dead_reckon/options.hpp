@@ -10,7 +10,7 @@
 #include "support/gravity_option.hpp"
 #include "support/trajectory_input.hpp"
 
-/// What the command line says.
+/// The command-line options.
 struct Options {
   std::filesystem::path imu, csv;
   TrajectoryInput trajectory;

@@ -57,13 +57,13 @@ Setup setup(const Options& o, bool trajectory_has_biases) {
 std::string bias_text(const Setup& s) {
   if (s.gyro_bias_source == s.accel_bias_source) {
     if (s.gyro_bias_source.empty()) return "biases not removed";
-    if (s.gyro_bias_source == trajectory_file) return "biases as the trajectory file has them removed";
+    if (s.gyro_bias_source == trajectory_file) return "biases from the trajectory file removed";
   }
   const auto text = [](const char* name, const std::optional<Eigen::Vector3d>& bias, const std::string& source,
                        const char* unit) {
     if (source.empty()) return formatted("%s bias not removed", name);
-    if (!bias) return formatted("%s bias as %s has it removed", name, source.c_str());
-    return formatted("%s bias %s %s of %s removed", name, vector_text(*bias).c_str(), unit, source.c_str());
+    if (!bias) return formatted("%s bias from %s removed", name, source.c_str());
+    return formatted("%s bias %s %s from %s removed", name, vector_text(*bias).c_str(), unit, source.c_str());
   };
   return text("gyro", s.gyro_bias, s.gyro_bias_source, "rad/s") + ", " +
          text("accel", s.accel_bias, s.accel_bias_source, "m/s^2");
@@ -72,11 +72,12 @@ std::string bias_text(const Setup& s) {
 std::string mounting_text(const Setup& s) {
   std::string text;
   if (!s.gravity_source.empty()) {
-    text += formatted("gravity %s m/s^2 of %s\n", vector_text(s.gravity).c_str(), s.gravity_source.c_str());
+    text += formatted("gravity %s m/s^2 from %s\n", vector_text(s.gravity).c_str(), s.gravity_source.c_str());
   }
   if (!s.arm_source.empty()) {
-    text += formatted("lever arm %s m of %s; truth is moved to the IMU, velocities with the gyro's first reading\n",
-                      vector_text(s.arm.p_BI).c_str(), s.arm_source.c_str());
+    text += formatted(
+        "lever arm %s m from %s; true states are moved to the IMU, velocities with the gyro's first reading\n",
+        vector_text(s.arm.p_BI).c_str(), s.arm_source.c_str());
   }
   const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(s.arm.R_BI) / units::degree;
   if (turn.norm() > 0) text += formatted("rotation vector of the IMU's axes %s deg\n", vector_text(turn).c_str());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is known of the IMU and of gravity, and from where.
+// The calibration of the IMU and gravity, and where each value comes from.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 #include "dead_reckon/options.hpp"
 
 struct Setup {
-  std::optional<Eigen::Vector3d> gyro_bias, accel_bias;  // none: those of the trajectory file
+  std::optional<Eigen::Vector3d> gyro_bias, accel_bias;  // none: from the trajectory file
   std::string gyro_bias_source, accel_bias_source;       // empty: not removed
   splinertia::LeverArm<double> arm{Sophus::SO3d(), Eigen::Vector3d::Zero()};
   std::string arm_source;  // empty: the poses are those of the IMU
@@ -23,6 +23,7 @@ struct Setup {
 /// trajectory file. Throws as read_calibration() does.
 [[nodiscard]] Setup setup(const Options& options, bool trajectory_has_biases);
 
-/// What was used, in words: the biases, and a line for each of the others that is not the default.
+/// Text on the values in use: bias_text() on the biases, mounting_text() with a line for each other value that is not
+/// the default.
 [[nodiscard]] std::string bias_text(const Setup& setup);
 [[nodiscard]] std::string mounting_text(const Setup& setup);

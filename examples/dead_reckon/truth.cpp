@@ -25,7 +25,8 @@ TrueStates states_of(const TrajectoryFile& file) {
   return result;
 }
 
-/// Velocities are those of the parabola through a pose and its neighbours; a pose without two near ones is left out.
+/// Velocities are those of the parabola through a pose and its two neighbours. Poses with a neighbour further than
+/// `longest_gap` (s) away are left out.
 TrueStates states_of(const std::vector<Stamped<SO3xR3<double>>>& poses, double longest_gap) {
   TrueStates result{{}, false, false, {}};
   for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
@@ -47,8 +48,8 @@ TrueStates read_truth(const Options& o) {
   TrueStates truth = file.velocities.empty() ? states_of(file.poses, o.longest_gap) : states_of(file);
   truth.notes = note_lines(o.trajectory, file);
   if (truth.rows.empty()) {
-    throw std::runtime_error(message(o.trajectory.file.string(), ": expected three poses in a row that are at most ",
-                                     o.longest_gap, " s apart, to have a velocity (--longest-gap)"));
+    throw std::runtime_error(message(o.trajectory.file.string(), ": expected three consecutive poses at most ",
+                                     o.longest_gap, " s apart, to compute a velocity (--longest-gap)"));
   }
   return truth;
 }

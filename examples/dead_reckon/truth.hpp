@@ -14,26 +14,26 @@
 
 using State = splinertia::NavState<double, std::chrono::nanoseconds>;
 
-/// What is known to be true at a time.
+/// The true state and biases at one time.
 struct Truth {
   State state;
   splinertia::ImuBias<double> bias;
 };
 
-/// What a trajectory file says, in the order of time.
+/// The true states of a trajectory file, in ascending order of time.
 struct TrueStates {
   std::vector<Truth> rows;
-  bool with_velocities, with_biases;  // of the file; else velocities are from its poses, and biases unknown
+  bool with_velocities, with_biases;  // whether the file has them; else velocities are from poses, biases unknown
   std::string notes;                  // on how the file was read
 };
 
-/// Throws std::runtime_error if the file does not give a single state.
+/// Throws std::runtime_error if the file yields no state.
 [[nodiscard]] TrueStates read_truth(const Options& options);
 
-/// The truth at a time: between two rows the cubic of their positions and velocities, and linear in the rest; nothing
-/// outside the rows or in a gap between them.
+/// The truth at a time. Between two rows the position is the cubic through their positions and velocities; the rest is
+/// interpolated linearly. Nothing outside the rows or in a gap longer than `longest_gap` (s).
 [[nodiscard]] std::optional<Truth> at(const TrueStates& truth, std::chrono::nanoseconds time, double longest_gap);
 
-/// The state of an IMU that is mounted on the body. With l = p_BI and the body's angular velocity ω, in its own axes:
+/// The state of an IMU mounted on the body, with l = p_BI and the body's angular velocity ω in body axes:
 ///   R_WI = R_WB R_BI,  p_WI = p_WB + R_WB l,  v_WI = v_WB + R_WB (ω × l)
 [[nodiscard]] State imu_state(const State& body, const splinertia::LeverArm<double>& arm, const Eigen::Vector3d& omega);

@@ -26,7 +26,7 @@ void append_row(AtomicFile& file, nanoseconds time, const auto&... vectors) {
   (append(vectors), ...);
 }
 
-/// Behind its comments it is EuRoC ground truth of 8 columns.
+/// After the comments the file is EuRoC ground truth with 8 columns.
 void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, const Options& o) {
   file.append(message("# cumulative B-spline: p and q of control points T_WB, at the times that they belong to\n",
                       "# group: ", o.fit.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.fit.order, '\n'));
@@ -77,7 +77,7 @@ void write_samples(AtomicFile& file, const FittedImu& imu) {
   }
 }
 
-/// The readings along the curve. Those in holes are left out, or kept behind a comment. What is said of them.
+/// Writes the readings along the curve. Those in holes are left out, or kept after a comment. Returns a note on them.
 std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted, const Options& o) {
   const auto readings = simulate(fitted.curve, Imu{}, {.rate = o.rate, .gravity = o.gravity.vector});
   Progress progress(readings.size());

@@ -12,6 +12,6 @@ struct WrittenFiles {
   std::string note;   // on the readings in holes; empty if there are none
 };
 
-/// Writes the files but the plot, all or none of them. control_points.csv is there only if all others are.
+/// Writes all files except the plot, or none. control_points.csv exists only if all others do.
 [[nodiscard]] WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& report,
                                        const Options& options, OutputFolder& folder);

@@ -9,11 +9,11 @@
 #include "support/gravity_option.hpp"
 #include "support/trajectory_input.hpp"
 
-/// What the command line says.
+/// The command-line options.
 struct Options {
   TrajectoryInput input;
   FitChoices fit;
-  FitImu imu;  // without a file: none
+  FitImu imu;  // not used if it has no file
   GravityOption gravity;
   double rate = 200;
   bool keep_holes = false;

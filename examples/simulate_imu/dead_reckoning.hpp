@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far integration carries an estimate away: samples are integrated as they come and held against the truth.
+// The errors of integration: samples are integrated as they arrive and compared with the truth.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,8 +41,8 @@ class SchemeErrors {
   void add(const auto& sample, const TrueState& truth) {
     if (!integrator_) {
       auto initial = truth;
-      initial.time = sample.time;  // the IMU's clock is all that it has
-      // What an error model drops is part of the comparison, holes of the trajectory restart it.
+      initial.time = sample.time;  // the integrator knows only the IMU's clock
+      // Bridging samples that the error model drops is part of the comparison. Holes of the trajectory restart it.
       integrator_.emplace(initial, gravity_, splinertia::GapOptions<double>{.policy = splinertia::GapPolicy::bridge});
     }
     integrator_->push(sample);
@@ -75,7 +75,7 @@ class SchemeErrors {
   std::optional<splinertia::Integrator<Scheme, double, std::chrono::nanoseconds>> integrator_;
 };
 
-/// One IMU by two schemes.
+/// The errors of one IMU with two schemes.
 class DeadReckoning {
  public:
   DeadReckoning(const char* imu, const Eigen::Vector3d& gravity)

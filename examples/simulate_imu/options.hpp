@@ -12,7 +12,7 @@
 #include "support/gravity_option.hpp"
 #include "support/trajectory_input.hpp"
 
-/// What the command line says.
+/// The command-line options.
 struct Options {
   TrajectoryInput input;  // without a file: an analytic motion
   FitChoices fit;
@@ -33,10 +33,10 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options);
 
-/// Throws std::invalid_argument, naming the option.
+/// Throws std::invalid_argument with the name of an option that is out of range.
 void check(const Options& options);
 
-/// What the simulated IMU does wrong, and its rate.
+/// The error model and the sampling rate (Hz) of the simulated IMU.
 struct Sensor {
   AnyImu errors;
   double rate = 200;

@@ -49,6 +49,6 @@ std::string Output::commit() {
   poses_tum_.commit(files);
   groundtruth_csv_.commit(files);
   if (imu_npy_) imu_npy_->commit(files);
-  imu_csv_.commit(files);  // the last to appear
+  imu_csv_.commit(files);  // appears last
   return folder_.commit();
 }

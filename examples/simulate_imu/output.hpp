@@ -17,21 +17,21 @@
 #include "support/holes.hpp"
 #include "support/output_folder.hpp"
 
-/// Where the files are going to be. Throws std::invalid_argument if the run reads one of them; gaps.csv, which is there
-/// only sometimes, is checked when it is begun.
+/// The folder for the output files. Throws std::invalid_argument if one of them is an input of the run; gaps.csv, which
+/// is not always written, is checked when it is begun.
 [[nodiscard]] OutputFolder output_folder(const Options& options, const Sensor& sensor);
 
-/// The files of a run. All appear with commit(), or none. imu.csv is there only if all others are.
+/// The files of a run. All appear with commit(), or none. imu.csv exists only if all others do.
 class Output {
  public:
   /// Creates the folder and begins the files.
   Output(const Options& options, const Sensor& sensor, const std::vector<Hole>& holes, OutputFolder& folder);
 
-  /// One sample, taken in the true state.
+  /// Appends a sample and the true state at its time.
   void append(const splinertia::StampedImuReading<double, std::chrono::nanoseconds>& reading, const TrueState& truth);
-  /// What comes next in imu.csv is in a hole.
+  /// Marks the next samples in imu.csv as inside a hole.
   void mark(const Hole& hole) { imu_csv_.comment(hole_comment(hole)); }
-  /// The table of integration errors, if it is asked for.
+  /// The table of integration errors, if --csv is given.
   [[nodiscard]] splinertia::AtomicFile* table() { return table_csv_ ? &*table_csv_ : nullptr; }
   /// Completes the files and returns "imu.csv, groundtruth.csv and poses.tum".
   [[nodiscard]] std::string commit();

@@ -12,7 +12,7 @@ using allan::Adequacy;
 
 namespace {
 
-/// The estimates of all axes together, if they agree and nothing is wrong with any of them.
+/// The estimates of all axes together, if the axes agree, each is described by its terms and none has steps.
 std::optional<allan::NoiseEstimates<double>> pooled(const SensorNoise& sensor,
                                                     const std::vector<allan::DifferenceSpectrum<double>>& spectra,
                                                     const allan::IdentifyOptions<double>& options) {
@@ -42,7 +42,7 @@ std::vector<SensorNoise::Row> SensorNoise::rows() const {
 }
 
 LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& options, unsigned threads) {
-  constexpr std::size_t fewest = 100;  // fewer have intervals so wide that nobody could use them
+  constexpr std::size_t fewest = 100;  // with fewer the intervals are too wide to be useful
   for (const SensorLog& sensor : log.sensors) {
     if (sensor.samples < fewest) {
       throw std::runtime_error(message(sensor.path, ": ", sensor.samples, " samples, expected at least ", fewest));

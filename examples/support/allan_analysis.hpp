@@ -24,16 +24,16 @@ struct SensorNoise {
   double rate;      ///< Hz
   double duration;  ///< s
   std::vector<AxisNoise> axes;
-  /// Of all axes together: only of several that agree, each of which is described by its terms.
+  /// The estimates of all axes together. Only if there are several, they agree, and each is described by its terms.
   std::optional<splinertia::allan::NoiseEstimates<double>> pooled;
-  std::optional<Finding> pooled_finding;  ///< what cannot be told apart of all axes together
+  std::optional<Finding> pooled_finding;  ///< descriptions that all axes together cannot tell apart
 
-  /// The estimates that there are, with the name of their axis, or "all".
+  /// The estimates of one axis, or of all axes together if its name is "all".
   struct Row {
     std::string name;
     const splinertia::allan::NoiseEstimates<double>* noise;
     splinertia::allan::Adequacy adequacy;
-    bool disturbed = false;  ///< by steps or freezes: what shows of slow terms may be theirs
+    bool disturbed = false;  ///< has steps or freezes, which can look like slow terms
   };
   [[nodiscard]] std::vector<Row> rows() const;
 };
@@ -47,9 +47,9 @@ struct LogNoise {
   std::optional<std::string> topic{};  ///< of the ROS bag, if it is one
 };
 
-/// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all, if
-/// they agree. So many axes at once, each in a thread. Throws std::runtime_error that names log, sensor and axis for a
-/// signal that cannot be analysed.
+/// The overlapping Allan deviation of each axis with 68.3 % intervals, and the noise terms of each axis and of all axes
+/// together if they agree. Analyses up to `threads` axes at once; 0: as many as the hardware runs at once. Throws
+/// std::runtime_error with log, sensor and axis if a signal cannot be analysed.
 [[nodiscard]] LogNoise analyse(const ImuLog& log, const splinertia::allan::IdentifyOptions<double>& options,
                                unsigned threads = 1);
 

@@ -97,7 +97,7 @@ void write_spectrum(AtomicFile& file, const LogNoise& noise) {
   }
 }
 
-/// A field of a csv file: in quotation marks, and on one line, whatever is in it.
+/// A field of a csv file in quotation marks, with control characters escaped so that it stays on one line.
 std::string quoted(const std::string& text) {
   std::string field = "\"";
   for (const char c : escaped_line(text)) field += c == '"' ? "\"\"" : std::string(1, c);
@@ -126,14 +126,14 @@ void write_findings(AtomicFile& file, const LogNoise& noise) {
   }
 }
 
-/// What an estimator is told of a term, and why it is this.
+/// The value of a term for estimators, and a comment on where it comes from.
 struct Choice {
   double value = 0;
   std::string comment;
 };
 
-/// What one axis, or all, say of a term, and how well it is known: of an axis that is described before one that is not,
-/// of a term that is detected before one that may be there and one that is not.
+/// The value of a term from one axis or from all axes. `rank` says how well it is known: axes that their terms describe
+/// rank above others; among these, detected terms rank above possible ones, and these above absent ones.
 struct Candidate {
   int rank;
   double value;
@@ -150,16 +150,16 @@ Candidate candidate(const SensorNoise::Row& row, NoiseTerm term, double confiden
     result = {described + 2, estimate.value, row.name, ""};
   } else if (term == NoiseTerm::random_walk && bias.detected) {
     result = {described + 2, bias.value * std::sqrt(2 / bias.time), row.name,
-              formatted("the walk that a Gauss-Markov bias of %.3g is over times shorter than its %.3g s", bias.value,
-                        bias.time)};
+              formatted("of a Gauss-Markov bias of %.3g, which is a random walk over times shorter than its %.3g s",
+                        bias.value, bias.time)};
   } else if (estimate.possible && !row.disturbed) {
     result = {described + 1, estimate.value, row.name,
-              formatted("possible, not detected: the best estimate, with an upper limit of %.3g (see below)",
+              formatted("possible, not detected: the best estimate, with the upper limit %.3g (see below)",
                         estimate.interval.upper)};
   }
   if (described == 0)
     result.comment +=
-        message(result.comment.empty() ? "" : "; ", "the log is not described, this is no more than a hint");
+        message(result.comment.empty() ? "" : "; ", "the terms do not describe the log, this is only a rough value");
   return result;
 }
 
@@ -172,10 +172,10 @@ Choice choose(const SensorNoise& sensor, NoiseTerm term, double confidence) {
                              return std::pair(a.rank, a.value) < std::pair(b.rank, b.value);
                            });
   std::string comment =
-      sensor.pooled ? "of all axes, which agree"
+      sensor.pooled ? "from all axes, which agree"
       : candidates.size() > 1
-          ? message("of axis ", worst->axis, ", the largest that is known: the axes differ or are not all described")
-          : message("of axis ", worst->axis, ", the only one");
+          ? message("from axis ", worst->axis, ", the largest known value: the axes differ or are not all described")
+          : message("from axis ", worst->axis, ", the only one");
   if (!worst->comment.empty()) comment += "; " + worst->comment;
   return {worst->value, comment};
 }
@@ -209,7 +209,7 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
       for (const NoiseTerm term : {NoiseTerm::bias_instability, NoiseTerm::rate_ramp, NoiseTerm::warm_up}) {
         const Estimate& estimate = (*row.noise)[term];
         if (!estimate.detected) continue;
-        below.push_back(formatted("%s %s: %s %s = %.4g %s is in the log, too, which no value here has",
+        below.push_back(formatted("%s %s: %s %s = %.4g %s is also in the log, but in no value here",
                                   sensor_text.c_str(), row.name.c_str(), std::string(name(term)).c_str(),
                                   std::string(symbol(term)).c_str(), estimate.value,
                                   unit_of(term, sensor.kind).c_str()));
@@ -246,5 +246,5 @@ void write_files(const LogNoise& noise, OutputFolder& folder, const std::vector<
   for (auto file = files.rbegin(); file != files.rend(); ++file) file->commit(folder.files());
   const std::string names = folder.commit();
   std::printf("wrote %s to %s\n", names.c_str(), folder.path().c_str());
-  if (!found) std::puts("no files for estimators: they want N and K of both sensors");
+  if (!found) std::puts("no files for estimators: they need N and K of both sensors");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that an Allan analysis leaves.
+// The output files of an Allan analysis.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 #include "support/imu_noise.hpp"
 #include "support/output_folder.hpp"
 
-/// The four densities that estimators want, and a line about each and about all that is wrong with the log: those of
-/// all axes together if they agree, else of the worst axis. The worst has the largest value among those that have the
-/// term: an upper limit is taken only if none has, because estimators refuse zero. Nothing if there are not both
-/// sensors, or not N and K among the candidates.
+/// The four densities for estimators, with comments on each and on everything that is wrong with the log. Values are
+/// those of all axes together if they agree, else those of the worst axis: the one with the largest value among those
+/// that have the term. An upper limit is used only if no axis has the term, because estimators reject zero. Nothing if
+/// one of the sensors is missing, or N or K is not among the candidates.
 struct EstimatorNoise {
   ImuNoise imu;
   std::vector<std::string> comments;
@@ -21,6 +21,6 @@ struct EstimatorNoise {
 [[nodiscard]] std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise);
 
 /// Writes curves.csv, noise.csv, spectrum.csv, findings.csv and, if there is an estimator_noise, a file for each of the
-/// estimators (imu.yaml, ...) and commits the folder. curves.csv is there only if all others are.
+/// estimators (imu.yaml, ...) and commits the folder. curves.csv exists only if all others do.
 void write_files(const LogNoise& noise, OutputFolder& folder,
                  const std::vector<Estimator>& for_estimators = {estimators.begin(), estimators.end()});

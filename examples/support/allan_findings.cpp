@@ -43,12 +43,12 @@ class Findings {
       const double margin = 1 + (end - begin) / 2;
       std::string text =
           formatted("a step of %.3g %s near %.0f s", step.height, unit_text(SensorUnit{}, kind_).c_str(), begin);
-      if (step.duration > 0) text += formatted(" (it takes %.3g s until %.0f s)", end - begin, end);
+      if (step.duration > 0) text += formatted(" (it takes %.3g s, until %.0f s)", end - begin, end);
       const bool late = static_cast<double>(step.sample) > noise_.duration * rate_ / 2;
       const double until = std::floor(std::max(begin - margin, 0.0)), skip = std::ceil(end + margin);
-      text += late ? formatted(": leave out what is behind it with --until %.0f, or what is before with --skip %.0f",
+      text += late ? formatted(": leave out the part after it with --until %.0f, or the part before with --skip %.0f",
                                until, skip)
-                   : formatted(": leave out what is before it with --skip %.0f, or what is behind with --until %.0f",
+                   : formatted(": leave out the part before it with --skip %.0f, or the part after with --until %.0f",
                                skip, until);
       if (all_.size() == most && analysis_.steps.size() > most) {
         all_.push_back({"withheld", 0, 0, "", formatted("and %zu more steps", analysis_.steps.size() - most), true});
@@ -57,7 +57,8 @@ class Findings {
       all_.push_back({"step", begin, end, "s", text, true});
     }
     if (!analysis_.steps.empty()) {
-      all_.push_back({"withheld", 0, 0, "", "a step looks like a walk: no slow term is reported as detected", true});
+      all_.push_back({"withheld", 0, 0, "", "a step looks like a random walk: no slow term is reported as detected",
+                      true});
     }
   }
 
@@ -65,7 +66,7 @@ class Findings {
     for (const allan::SampleSpan& span : analysis_.freezes) {
       const double begin = time(span.begin), end = time(span.end);
       all_.push_back({"freeze", begin, end, "s",
-                      formatted("%.3g s without any change from %.0f s on: leave them out with --leave-out %.0f-%.0f",
+                      formatted("constant for %.3g s from %.0f s on: leave this out with --leave-out %.0f-%.0f",
                                 end - begin, begin, std::floor(begin), std::ceil(end)),
                       true});
     }
@@ -86,10 +87,9 @@ class Findings {
     if (still.disturbed == 0) return;
     const double worst = time(still.worst);
     all_.push_back({"disturbance", worst, worst + 1, "s",
-                    formatted("not at rest? In %lld of %lld overlapping blocks of about a second it spreads or sticks "
-                              "out more than noise explains, the worst from %.0f s on (%.3g times what is usual): "
-                              "leave it out with --leave-out "
-                              "%.0f-%.0f",
+                    formatted("not at rest? In %lld of %lld overlapping blocks of about a second the standard or "
+                              "largest deviation is more than noise explains, the worst from %.0f s on (%.3g times "
+                              "the usual): leave it out with --leave-out %.0f-%.0f",
                               static_cast<long long>(still.disturbed), static_cast<long long>(still.blocks), worst,
                               still.worst_ratio, std::max(std::floor(worst) - 1, 0.0), std::ceil(worst) + 2),
                     true});
@@ -100,7 +100,7 @@ class Findings {
       all_.push_back({"excluded", band.frequencies.lower, band.frequencies.upper, "Hz",
                       formatted("%.3g to %.3g Hz is left out%s: the power there is %.3g times that of these terms",
                                 band.frequencies.lower, band.frequencies.upper,
-                                band.ratio > 0.8 && band.ratio < 1.25 ? ", as asked or beside a line"
+                                band.ratio > 0.8 && band.ratio < 1.25 ? ", as requested or beside a line"
                                 : band.ratio > 1                      ? " (a line, vibration, hum)"
                                                                       : "",
                                 band.ratio),
@@ -109,8 +109,8 @@ class Findings {
     if (!analysis_.used_to_the_end()) {
       all_.push_back(
           {"unused", noise_.highest_frequency, rate_ / 2, "Hz",
-           formatted("above %.4g Hz it is left out, as asked or because it is not white (a low-pass filter, vibration, "
-                     "hum); N is that of averages longer than %.2g s, Q cannot be known",
+           formatted("the spectrum above %.4g Hz is left out, as requested or because it is not white (a low-pass "
+                     "filter, vibration, hum); N is that of averages longer than %.2g s, Q is unknown",
                      noise_.highest_frequency, 1 / (2 * noise_.highest_frequency)),
            true});
     }
@@ -130,7 +130,8 @@ class Findings {
     if (noise_.fits) {
       all_.push_back(
           {"fit", 0, 0, "",
-           formatted("what is used agrees with these terms (goodness of fit: p = %.2g)", noise_.fit_probability),
+           formatted("the used part of the spectrum agrees with these terms (goodness of fit: p = %.2g)",
+                     noise_.fit_probability),
            false});
       return;
     }
@@ -139,12 +140,13 @@ class Findings {
     const auto worst = std::max_element(noise_.bands.begin(), noise_.bands.end(),
                                         [&](const auto& a, const auto& b) { return doubt(a) < doubt(b); });
     if (worst != noise_.bands.end()) {
-      where = formatted(": from %.3g to %.3g Hz it has %.3g times the power they give", worst->frequencies.lower,
+      where = formatted(": from %.3g to %.3g Hz the power is %.3g times that of the terms", worst->frequencies.lower,
                         worst->frequencies.upper, worst->ratio);
     }
     all_.push_back({"fit", 0, 0, "",
-                    formatted("THESE TERMS DO NOT DESCRIBE IT (goodness of fit: p = %.1g)%s; intervals do not hold",
-                              noise_.fit_probability, where.c_str()),
+                    formatted(
+                        "THESE TERMS DO NOT DESCRIBE THE LOG (goodness of fit: p = %.1g)%s; intervals do not hold",
+                        noise_.fit_probability, where.c_str()),
                     true});
   }
 
@@ -152,10 +154,10 @@ class Findings {
     if (!analysis_.resolution || analysis_.rounding == allan::RoundingEffect::none) return;
     const std::string unit = unit_text(SensorUnit{}, kind_);
     const double resolution = *analysis_.resolution, deviation = noise_.N.value * std::sqrt(rate_);
-    std::string text = formatted("its resolution of %.3g %s is coarse: %.2g times the deviation of a sample",
+    std::string text = formatted("its resolution of %.3g %s is coarse: %.2g times the standard deviation of a sample",
                                  resolution, unit.c_str(), resolution / deviation);
     const bool invalid = analysis_.rounding == allan::RoundingEffect::invalid;
-    text += invalid ? "; N says nothing of the sensor, which rounds most of it away or adds to it"
+    text += invalid ? "; N is not that of the sensor, because rounding removes most of it or adds to it"
                     : formatted("; without rounding N is about %.4g",
                                 allan::white_noise_before_rounding(noise_.N.value, resolution, rate_));
     all_.push_back({"resolution", 0, 0, "", text, invalid});
@@ -170,27 +172,28 @@ class Findings {
     all_.push_back({"white_noise", 0, 0, "",
                     formatted("no %s has a white noise of %.3g %s: %s", gyro ? "gyroscope" : "accelerometer",
                               noise_.N.value, unit_of(NoiseTerm::white, kind_).c_str(),
-                              large ? (gyro ? "it is in deg/s (--gyro-unit deg/s), or not at rest"
-                                            : "it is in another unit (--accel-unit), or not at rest")
-                                    : (gyro ? "it is simulated, filtered, or in another unit (--gyro-unit)"
-                                            : "it is simulated, filtered, or in g (--accel-unit g)")),
+                              large ? (gyro ? "the log is in deg/s (--gyro-unit deg/s), or not at rest"
+                                            : "the log is in another unit (--accel-unit), or not at rest")
+                                    : (gyro ? "the log is simulated, filtered, or in another unit (--gyro-unit)"
+                                            : "the log is simulated, filtered, or in g (--accel-unit g)")),
                     true});
   }
 
   void descriptions() {
     if (noise_.G.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
       all_.push_back({"descriptions", 0, 0, "",
-                      "the Gauss-Markov bias may be no more than the foot of a band that is left out", false});
+                      "the Gauss-Markov bias may only be the tail of a band that is left out", false});
     }
     if (noise_.W.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
       all_.push_back(
-          {"descriptions", 0, 0, "", "the warm-up may be no more than the ends of a line that is left out", false});
+          {"descriptions", 0, 0, "", "the warm-up may only be an end effect of a line that is left out", false});
     }
     if (const auto finding = descriptions_finding(noise_, kind_)) all_.push_back(*finding);
     if (noise_.G.possible && noise_.descriptions.size() == 1 && noise_.excluded.empty() && !noise_.may_be_drift) {
       all_.push_back(
           {"descriptions", 0, 0, "",
-           formatted("it forgets in %.2g s or less: a filter or a vibration rather than a bias", noise_.G.time),
+           formatted("its correlation time is %.2g s or less: a filter or a vibration rather than a bias",
+                     noise_.G.time),
            false});
     }
   }
@@ -216,7 +219,7 @@ std::optional<Finding> descriptions_finding(const allan::NoiseEstimates<double>&
     if (!noise.step_times.empty()) {
       text = noise.step_times.size() == 1 ? "a step near" : formatted("%zu steps near", noise.step_times.size());
       for (const double time : noise.step_times) text += formatted(" %.0f s", time);
-      text += " behind the beginning of what was analysed";
+      text += " after the beginning of the analysed part";
     }
     texts.push_back(text);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a log, or with what was made of it, in words.
+// Findings: problems of a log or of its analysis, in words.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@
 /// (averaging times), fit, step, withheld, freeze, saturation, disturbance, resolution, white_noise, descriptions.
 struct Finding {
   std::string kind;
-  double from, to;   ///< in `unit`; the same of what has no range
+  double from, to;   ///< in `unit`; equal if there is no range
   std::string unit;  ///< Hz or s, since the beginning of the log or of averaging
   std::string text;  ///< one sentence, without the axis
-  bool warning;      ///< what is reported does not hold, or holds without this only
+  bool warning;      ///< the results do not hold, or hold only without this part
 };
 
-/// That descriptions cannot be told apart, if there are several.
+/// The finding that several descriptions cannot be told apart; nothing if there is only one.
 [[nodiscard]] std::optional<Finding> descriptions_finding(const splinertia::allan::NoiseEstimates<double>& noise,
                                                           splinertia::SensorKind kind);
 
-/// Of one axis of this sensor.
+/// The findings of one axis of this sensor.
 [[nodiscard]] std::vector<Finding> findings_of(const splinertia::allan::Analysis<double>& analysis,
                                                const SensorLog& sensor);

@@ -64,11 +64,11 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
     if (estimate.detected) {
       std::string text = meaning(term, sensor.kind, sensor.rate, estimate.value, timed.time);
       if (is_timed(term)) {
-        text += formatted(" (the time is %.3g ... %.3g s)", timed.time_interval.lower, timed.time_interval.upper);
+        text += formatted(" (time constant %.3g ... %.3g s)", timed.time_interval.lower, timed.time_interval.upper);
       }
       if (term == NoiseTerm::random_walk) {
-        text +=
-            formatted("; it may be bounded, if it forgets in no less than %.3g s", row.noise->least_correlation_time);
+        text += formatted("; it may be bounded, with a correlation time of at least %.3g s",
+                          row.noise->least_correlation_time);
       }
       std::printf("%s: %s: %s\n", who.c_str(), std::string(name(term)).c_str(), text.c_str());
     } else if (!estimate.possible && !is_timed(term) && row.noise->considered.has(term)) {
@@ -81,7 +81,7 @@ void print_meanings(const SensorNoise::Row& row, const SensorNoise& sensor, cons
   }
   std::printf("%s: adequacy: %s\n", who.c_str(), std::string(name(row.adequacy)).c_str());
   if (row.noise->fits && row.adequacy != Adequacy::inadequate) {
-    std::printf("%s: what is used agrees with these terms (goodness of fit: p = %.2g)\n", who.c_str(),
+    std::printf("%s: the used part of the spectrum agrees with these terms (goodness of fit: p = %.2g)\n", who.c_str(),
                 row.noise->fit_probability);
   }
 }
@@ -94,12 +94,12 @@ void print_findings(const SensorNoise& sensor, const LogNoise& noise) {
   }
   if (rows.size() > 1) {
     std::puts(sensor.pooled ? "the axes agree"
-                            : "the axes differ, or are not all described by their terms: none stands for all");
+                            : "the axes differ, or are not all described by their terms: no values for all axes");
   }
   if (sensor.pooled_finding) std::printf("all axes: %s\n", sensor.pooled_finding->text.c_str());
   for (const AxisNoise& axis : sensor.axes) {
     for (const Finding& finding : axis.findings) {
-      // That it fits has been said, and all axes together tell more.
+      // A good fit has already been printed. The descriptions of all axes together replace those of each axis.
       if (finding.kind == "fit" && !finding.warning) continue;
       if (finding.kind == "descriptions" && sensor.pooled) continue;
       std::printf("%c: %s\n", axis.name, finding.text.c_str());

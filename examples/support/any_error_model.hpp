@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Error models whose terms are known only when the program runs, from a file or the command line. Each term is reached
-// by a virtual call, which ErrorModel<Terms...> avoids; the samples are the same to the bit.
+// Error models whose terms are known only at run time, from a file or the command line. Each term costs a virtual call,
+// which ErrorModel<Terms...> avoids; the samples are the same to the bit.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include <vector>
 
 /// Error terms in the order in which they apply to an AnySample: Sample<double> of a sensor or Stamp<double> of a
-/// clock. Stands where an ErrorModel could, in an Imu.
+/// clock. An Imu can use it in place of an ErrorModel.
 template <typename AnySample>
 class AnyErrorModel {
   struct RunningTerm {
@@ -42,7 +42,7 @@ class AnyErrorModel {
     std::apply([&](const auto&... term) { (add(term), ...); }, model.terms());
   }
 
-  /// Appends a term. Throws std::invalid_argument if it cannot stand beside one of the others.
+  /// Appends a term. Throws std::invalid_argument if it is incompatible with one of the others.
   template <splinertia::ErrorTerm T>
   void add(const T& term) {
     check_beside<splinertia::Saturation<double>>(term);
@@ -50,7 +50,7 @@ class AnyErrorModel {
     terms_.push_back(std::make_shared<const Held<T>>(term));
   }
 
-  /// Puts a term in the place of the first of its type and drops the others; appends it where there is none.
+  /// Replaces the first term of the same type and removes the others of that type. Appends the term if there are none.
   template <splinertia::ErrorTerm T>
   void replace(const T& term) {
     const auto is_one = [](const auto& other) { return dynamic_cast<const Held<T>*>(other.get()) != nullptr; };
@@ -85,7 +85,7 @@ class AnyErrorModel {
     return found;
   }
 
-  /// The terms in their order, a line each; "ideal" for none.
+  /// The terms in their order, one line each; "ideal" if there are none.
   [[nodiscard]] std::string describe(splinertia::SensorKind kind) const {
     std::string text;
     for (const auto& term : terms_) text += term->describe(kind) + '\n';

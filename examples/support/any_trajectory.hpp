@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A trajectory of any type behind one: what follows it, a simulator for instance, is compiled once.
+// A type-erased trajectory: code that takes it, for instance a simulator, is compiled once for all trajectories.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <splinertia/time.hpp>
 #include <utility>
 
-/// The motion of a rigid body on whichever group, as one on SO(3) × R³.
+/// Converts the motion of a rigid body on any pose group to one on SO(3) × R³.
 template <int D, splinertia::Pose G>
 [[nodiscard]] splinertia::Motion<splinertia::SO3xR3<double>, D> as_split_motion(const splinertia::Motion<G, D>& m) {
   if constexpr (splinertia::SplitPose<G>) {
@@ -32,13 +32,13 @@ template <int D, splinertia::Pose G>
   }
 }
 
-/// Keeps a trajectory whose time is nanoseconds or seconds. Each evaluation is one virtual call.
+/// Holds a trajectory whose time is nanoseconds or seconds. Each evaluation is one virtual call.
 class AnyTrajectory {
  public:
   using Group = splinertia::SO3xR3<double>;
   using Time = std::chrono::nanoseconds;
 
-  /// None yet. It cannot be evaluated.
+  /// Empty. Must not be evaluated.
   AnyTrajectory() = default;
 
   /// A curve from its start to its end.

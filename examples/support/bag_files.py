@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the scripts about ROS bags share: opening one with the Python package rosbags, and how they end."""
+"""Shared by the scripts for ROS bags: opening a bag with the Python package rosbags, and exit codes."""
 import contextlib
 import gc
 import importlib.metadata
@@ -22,7 +22,7 @@ class Failure(Exception):
 
 
 class Progress:
-    """A line on standard error, for a person who waits: only on a terminal, and only after a second."""
+    """A progress bar on standard error: only on a terminal, and only after a second."""
 
     def __init__(self):
         self.start = time.monotonic()
@@ -50,7 +50,7 @@ class Progress:
 
 @contextlib.contextmanager
 def replacing(target):
-    """Gives a path beside the target to write a file or folder to, which becomes the target if all goes well."""
+    """Yields a temporary path beside the target. The file or folder written there replaces the target on success."""
     if not target.parent.is_dir():
         raise Failure(f"{target.parent}: no such folder")
     with tempfile.TemporaryDirectory(prefix=f".{target.name}.", suffix=".tmp", dir=target.parent) as folder:
@@ -60,7 +60,7 @@ def replacing(target):
 
 
 def keep_input(source, output):
-    """Refuses an output that is the input, or a file of it where it is a folder."""
+    """Raises Failure if the output is the input, or a file in it if the input is a folder."""
     for path in [source, *source.iterdir()] if source.is_dir() else [source]:
         if path.is_file() and output.is_file() and path.samefile(output):
             raise Failure(f"{output}: is read by this run and would be replaced by it, expected another output")
@@ -94,7 +94,7 @@ def open_bag(path):
 
 
 def choose_topic(path, connections, types, kind, wanted):
-    """The connections of the wanted topic, or of the only one, whose messages are of one of the types."""
+    """The connections of the wanted topic, or of the only topic, with messages of one of the types."""
     suitable = [connection for connection in connections if connection.msgtype in types]
     topics = sorted({connection.topic for connection in suitable})
     listed = ", ".join(topics)
@@ -111,7 +111,7 @@ def choose_topic(path, connections, types, kind, wanted):
 
 @contextlib.contextmanager
 def opened(path):
-    """The open reader of a bag, and whether it is one of ROS 1."""
+    """Yields the open reader of a bag, and whether it is a ROS 1 bag."""
     with contextlib.ExitStack() as stack:
         try:
             reader, ros1 = open_bag(path)
@@ -124,7 +124,7 @@ def opened(path):
 
 
 def guarded(path, items):
-    """The items; whatever goes wrong inside the reader (it meets damaged files with all sorts of exceptions) is said."""
+    """Yields the items. Any exception of the reader, which has many types for damaged files, becomes a Failure."""
     try:
         yield from items
     except Exception as error:
@@ -132,15 +132,15 @@ def guarded(path, items):
 
 
 def unreadable(path, error):
-    # The type too, as texts such as "unpack requires 4 bytes" say little.
-    return f"{path}: damaged or no such bag: {type(error).__name__}: {' '.join(str(error).split())}"
+    # With the type, because texts such as "unpack requires 4 bytes" say little.
+    return f"{path}: damaged, or not a ROS bag: {type(error).__name__}: {' '.join(str(error).split())}"
 
 
 def run(script, command, arguments, output):
-    """Runs command(arguments, progress) and exits: 2 with one line about what is wrong, where something is. An OSError of
-    the standard output goes on to standard_output.checked()."""
-    gc.disable()  # nothing here makes cycles, and looking for them among the index of a large bag takes a fifth of the time
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that temporaries go
+    """Runs command(arguments, progress). If something is wrong, prints one line about it and exits with code 2. An
+    OSError of the standard output is left to standard_output.checked()."""
+    gc.disable()  # there are no reference cycles, and searching the index of a large bag takes a fifth of the time
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that temporary files are removed
     try:
         with Progress() as progress:
             command(arguments, progress)

@@ -22,11 +22,10 @@ const char* const header =
     "# Calibration of an IMU in the body whose poses a trajectory has. The reading at the IMU's time t is\n"
     "#   gyro  = R_BI^T w + gyro_bias\n"
     "#   accel = R_BI^T (R_WB^T (a - gravity) + dw/dt x lever_arm + w x (w x lever_arm)) + accel_bias\n"
-    "# of the body's motion at t + time_offset. Standard deviations are one sigma: 0 of what was not estimated, .inf "
-    "of\n"
-    "# what the motion does not show.\n";
+    "# of the body's motion at t + time_offset. Standard deviations are one sigma: 0 for what was not estimated, .inf\n"
+    "# for what the motion does not determine.\n";
 
-/// Reads back to the same bits.
+/// The text of a number that reads back to the same bits.
 std::string number_text(double value) {
   char text[number_text_size];
   return {text, static_cast<std::size_t>(real_to_chars(text, value) - text)};
@@ -84,7 +83,7 @@ Sophus::SO3d rotation_of(const YamlReader& entry) {
   if (!(std::abs(norm - 1) <= 1e-3)) {
     entry.fail(message("rotation: a quaternion of norm ", norm, ", expected 1 to within 0.001"));
   }
-  // One of unit norm to rounding is left as it is: what was written is read to the same bits.
+  // A unit quaternion (to rounding) is not normalized, so that a written file reads back to the same bits.
   return rotation_from_unit_quaternion<double>(std::abs(norm - 1) < 1e-15 ? q : q.normalized());
 }
 
@@ -101,7 +100,7 @@ std::string calibration_text(const CalibratedImu<double>& imu) {
   append_list(text, "accel_bias_standard_deviation", deviation.accel_bias, true, "m/s^2");
   append_list(text, "gravity", c.gravity, false, "m/s^2, acceleration of free fall in the world");
   append_list(text, "gravity_direction_standard_deviation", deviation.gravity_direction, true,
-              "rad, in two directions across");
+              "rad, in two directions perpendicular to it");
   append_list(text, "lever_arm", c.arm.p_BI, false, "m, p_BI: the IMU in the body");
   append_list(text, "lever_arm_standard_deviation", deviation.lever_arm, true, "m");
   text += message("rotation: {w: ", checked("rotation", q.w(), false), ", x: ", checked("rotation", q.x(), false),

@@ -13,7 +13,7 @@
 /// Writes the file, complete or not at all. Throws as calibration_text() and AtomicFile do.
 void write_calibration(const std::filesystem::path& path, const splinertia::CalibratedImu<double>& imu);
 
-/// Reads such a file to the same bits. The file says nothing of the residuals and the iterations: these are 0, and
-/// `converged` is true. Throws std::runtime_error with file:line for what is unknown, missing, there twice, not finite
-/// or of another length.
+/// Reads such a file to the same bits. The file has no residuals and no iterations: these are 0, and `converged` is
+/// true. Throws std::runtime_error with file:line for an entry that is unknown, missing, duplicated, not finite or of
+/// the wrong length.
 [[nodiscard]] splinertia::CalibratedImu<double> read_calibration(const std::filesystem::path& path);

@@ -14,7 +14,7 @@ using namespace splinertia;
 
 namespace {
 
-/// The parameters of one term: `name: value` of the first one alone, or a map of them.
+/// The parameters of one term: a single value for the first parameter, or a map of `name: value`.
 class Parameters {
  public:
   explicit Parameters(YamlReader reader) : reader_(std::move(reader)) {}
@@ -78,7 +78,7 @@ BiasInstability<double> bias_instability(Parameters& p) {
 
 template <typename Model>
 struct TermReader {
-  std::string name, parameters;  // for people
+  std::string name, parameters;  // names in the file, and a text for --help-errors
   std::function<void(Parameters&, Model&)> add;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every program does around its work: exit codes, errors in one line, and no success where output is lost.
-// Programs with options use program.hpp.
+// The frame of every program: exit codes, errors in one line, and failure if output is lost. Programs with options use
+// program.hpp.
 #pragma once
 
 #include <fcntl.h>
@@ -14,12 +14,12 @@
 #include <splinertia/io/write_error.hpp>
 #include <stdexcept>
 
-/// A result that is not good enough to be written. What is said then names the option that takes it all the same.
+/// A result that is not good enough to be written. The message names the option that writes it anyway.
 struct NotAccepted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Something that was asked for could not be written.
+/// A requested output could not be written.
 struct OutputLost : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -29,18 +29,19 @@ struct AlreadyReported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Makes lost output an error of the write: a closed pipe or a file that grows too large would end the program with a
-/// signal, and a file that is opened while the standard output is closed would become it.
+/// Makes lost output an error of the write. Without this, a closed pipe or a file that grows too large ends the program
+/// with a signal, and a file that is opened while standard output is closed becomes the standard output.
 inline void prepare_standard_streams() {
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     const bool closed = ::fcntl(stream, F_GETFD) == -1;
-    // In the direction that it is not used in. The lowest number that is free is that of the stream.
+    // Opened in the direction that the stream does not use, so that its use fails. open() returns the lowest free
+    // descriptor, which is that of the stream.
     if (closed) (void)::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }
 
-/// Does the work. Exit codes: 0 done, 1 output is lost, 2 bad input, 3 not accepted.
+/// Calls work() and returns the exit code: 0 done, 1 output is lost, 2 bad input, 3 not accepted.
 [[nodiscard]] int run_program(const char* name, const auto& work) {
   prepare_standard_streams();
   const auto fail = [name](int code, const char* why) {

@@ -15,9 +15,9 @@ using std::chrono::nanoseconds;
 
 namespace {
 
-/// The factor from which on two maxima disagree. Between smooth motion and its differences there is less.
+/// Two maxima disagree if they differ by more than this factor. Those of a smooth motion and of its differences do not.
 constexpr double factor = 2;
-/// The largest of some thousand lengths of normal vectors is at about so many standard deviations of an axis.
+/// The longest of some thousand normally distributed vectors is about this many standard deviations of an axis long.
 constexpr double largest_of_many = 5;
 
 void raise(Peak& peak, double value, nanoseconds time) {
@@ -39,7 +39,7 @@ void peaks_of_curve(const FittedTrajectory& fitted, const Eigen::Vector3d& gravi
   }
 }
 
-/// Poses that are no outliers, in stretches without a hole.
+/// The poses that are not outliers, split at holes.
 std::vector<Poses> stretches(const Poses& poses, const FittedTrajectory& fitted) {
   std::vector<Poses> result(1);
   auto outlier = fitted.outliers.begin();
@@ -55,7 +55,7 @@ std::vector<Poses> stretches(const Poses& poses, const FittedTrajectory& fitted)
   return result;
 }
 
-/// Poses much closer than usual are left out: their noise over so short a time is no velocity.
+/// The largest turn rate between poses that are at least `least` apart. Over shorter times noise looks like a velocity.
 void peak_of_turns(const Poses& poses, nanoseconds least, Peak& peak) {
   for (std::size_t i = 0, j = 0; j < poses.size(); ++i) {
     while (j < poses.size() && poses[j].time < poses[i].time + least) ++j;
@@ -86,8 +86,8 @@ nanoseconds knot_interval(const FittedTrajectory& fitted) {
   return (fitted.curve.end() - fitted.curve.start()) / segments;
 }
 
-/// Second differences of `noise` over so long a window have at most about 2 m/s² of it. Shorter ones than a knot
-/// interval of the usual length show what glitches of single poses do.
+/// The window of second differences: at least the usual interval of poses, at least the smaller of a knot interval and
+/// 0.05 s, because shorter windows show glitches of single poses, and so long that `noise` adds at most about 2 m/s².
 nanoseconds window_of(const PoseNoise& noise, nanoseconds usual, nanoseconds knot_interval) {
   constexpr double most = 2;
   const double quiet = std::sqrt(largest_of_many * std::sqrt(6.0) * noise.position / most);
@@ -133,58 +133,58 @@ std::string extremes_text(const Extremes& found, nanoseconds first) {
   row("|omega| [rad/s]", &Peaks::gyro);
   row("|f| [m/s^2]", &Peaks::accel);
   text += formatted(
-      "differences: turns between neighbouring poses; second differences of positions %.3g s apart, less "
+      "differences: rotations between neighbouring poses; second differences of positions %.3g s apart, minus "
       "gravity\n",
       to_seconds<double>(found.window));
   if (!std::isfinite(found.gyro_noise + found.accel_noise)) return text;
   return text + formatted(
-                    "noise of the poses, found in their differences: %.2g rad and %.2g m; it alone makes "
+                    "noise of the poses, found in their differences: %.2g rad and %.2g m; this alone causes "
                     "differences of up to %.2g rad/s and %.2g m/s^2\n",
                     found.noise.rotation, found.noise.position, found.gyro_noise, found.accel_noise);
 }
 
 std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTrajectory& fitted) {
   std::vector<std::string> lines;
-  constexpr double nothing = 1e-3;  // rad/s, m/s^2: what no IMU shows is not worth a warning
+  constexpr double nothing = 1e-3;  // rad/s, m/s^2: no warnings below what an IMU can show
   const auto compare = [&](const char* what, const char* unit, const Peak Peaks::*which, double noise_of_differences) {
     const double noise = std::max(noise_of_differences, nothing);
     const double curve = (found.measured.*which).value, differences = (found.differences.*which).value;
     if (differences >= 0 && curve > factor * differences + noise) {
       lines.push_back(
           formatted("the curve's largest %s is %.3g times that of the poses' differences (%.3g for %.3g %s, "
-                    "factor %g allowed): the curve swings, or follows poses that jump",
+                    "factor %g allowed): the curve oscillates, or follows poses that jump",
                     what, curve / differences, curve, differences, unit, factor));
     }
     if (differences < 0 && curve > factor * 9.80665) {
       lines.push_back(
-          formatted("the curve's largest %s is %.3g %s, and the poses are too few or too short to check it by their "
-                    "differences: it may be noise",
+          formatted("the curve's largest %s is %.3g %s, and there are too few poses to check it by their differences: "
+                    "it may be noise",
                     what, curve, unit));
     }
     if (differences - noise > factor * curve) {
       lines.push_back(
           formatted("the poses' differences show a %s of %.3g %s, the curve has at most %.3g (factor %g "
-                    "allowed): its knots are too far apart, or poses lie off",
+                    "allowed): its knots are too far apart, or some poses are wrong",
                     what, differences, unit, curve, factor));
     }
     const double invented = found.invented ? ((*found.invented).*which).value : 0;
     if (invented > factor * std::max(curve, differences) + noise) {
       lines.push_back(
           formatted("inside holes the largest %s is %.3g %s, outside %.3g (factor %g allowed): do not use "
-                    "what is inside",
+                    "the curve inside holes",
                     what, invented, unit, curve, factor));
     }
   };
   compare("|omega|", "rad/s", &Peaks::gyro, found.gyro_noise);
   compare("|f|", "m/s^2", &Peaks::accel, found.accel_noise);
 
-  // A residual r that the knots leave is about an angular velocity of r over a knot interval that is missing.
+  // A rotation residual r means that an angular velocity of about r per knot interval is missing in the curve.
   const double residual = lengths(fitted.distances.rotation, fitted.outliers).rms;
   const double missing = residual / to_seconds<double>(knot_interval(fitted));
   const double noise = std::sqrt(3.0) * found.noise.rotation;
   if (noise > 0 && residual > 3 * noise && missing > std::max(nothing, 0.01 * found.measured.gyro.value)) {
     lines.push_back(
-        formatted("the rotations are %.2g rad off (rms), far above their noise of %.2g rad: the knots are too "
+        formatted("the rotation residuals are %.2g rad (rms), far above the noise of %.2g rad: the knots are too "
                   "far apart for parts of the motion",
                   residual, noise));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The largest angular velocity and specific force of a fitted curve, and those that the poses show without it. A curve
-// that is wild, or too stiff, differs from its poses here by far more than in the residuals.
+// The largest angular velocity and specific force of a fitted curve, and those of the differences of its poses. For a
+// curve that oscillates or is too stiff, these differ far more than the residuals show.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 #include "support/fitted_trajectory.hpp"
 
 struct Peak {
-  double value = -1;  // < 0: there was nothing to take the largest of
+  double value = -1;  // < 0: no values
   std::chrono::nanoseconds time{};
 };
 
@@ -21,7 +21,7 @@ struct Peaks {
   Peak gyro, accel;
 };
 
-/// Standard deviations of poses on their noisiest axis; infinite where there are too few poses to find them.
+/// Standard deviations of poses on their noisiest axis; infinite if there are too few poses to estimate them.
 struct PoseNoise {
   double rotation = 0, position = 0;  // rad, m
 };
@@ -30,20 +30,20 @@ struct Extremes {
   Peaks measured;                   // of the curve, outside of holes
   std::optional<Peaks> invented;    // of the curve inside holes
   Peaks differences;                // of the poses
-  std::chrono::nanoseconds window;  // of the second differences: to the pose before, and to that behind
+  std::chrono::nanoseconds window;  // time step of the second differences
   PoseNoise noise;
-  double gyro_noise, accel_noise;  // the largest differences that this noise alone makes, about
+  double gyro_noise, accel_noise;  // about the largest differences that this noise alone makes
 };
 
-/// The curve is evaluated `rate` times a second, and at least 4 times in each segment. The differences are those of
-///   |ω|: neighbouring poses, their turn over their interval;
-///   |f|: positions at t − window, t, t + window, the second difference minus gravity. The window is at least a knot
-///        interval, or 0.05 s where that is longer, and so long that noise makes at most about 2 m/s².
-/// Outliers and poses on both sides of a hole make none.
+/// Evaluates the curve `rate` times a second, and at least 4 times in each segment. The differences of the poses are
+///   |ω|: the rotation between neighbouring poses, divided by their interval;
+///   |f|: the second difference of the positions at t − window, t and t + window, minus gravity. The window is at least
+///        the smaller of a knot interval and 0.05 s, and so long that noise makes at most about 2 m/s².
+/// Outliers are not used, and no difference spans a hole.
 [[nodiscard]] Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eigen::Vector3d& gravity,
                                 double rate);
 
-/// The table of them, `first` being the time that they are counted from.
+/// The table of the extremes, with times counted from `first`.
 [[nodiscard]] std::string extremes_text(const Extremes& found, std::chrono::nanoseconds first);
 
 /// A sentence for each disagreement that noise does not explain.

@@ -13,29 +13,30 @@ namespace {
 void add_knot_options(CLI::App& app, FitChoices& o, const auto& place) {
   const auto add = [&](CLI::Option* option) { place(option, "Knots, one of"); };
   add(app.add_option("--knot-interval", o.knot_interval,
-                     "so far apart [s]; by default the program chooses and says it"));
+                     "interval between knots [s]; by default the program chooses and reports it"));
   add(app.add_option("--goal-position", o.goal_position,
-                     "the furthest apart with at most these residuals, rms of each axis [m]"));
-  add(app.add_option("--goal-rotation", o.goal_rotation, "goes with it [rad]"));
-  add(app.add_flag("--adaptive", o.adaptive, "closer where the motion asks for it, to meet these goals everywhere"));
-  add(app.add_flag("--cross-validate", o.cross_validate, "as they predict poses best that were left out"));
-  add(app.add_flag("--interpolate", o.interpolate, "at the poses: the curve goes through every one"));
+                     "choose the longest interval with at most these position residuals, rms of each axis [m]"));
+  add(app.add_option("--goal-rotation", o.goal_rotation, "and at most these rotation residuals [rad]"));
+  add(app.add_flag("--adaptive", o.adaptive, "place knots closer where the motion needs it, to meet both goals"));
+  add(app.add_flag("--cross-validate", o.cross_validate, "choose the interval that best predicts left-out poses"));
+  add(app.add_flag("--interpolate", o.interpolate, "place a knot at each pose: the curve goes through all poses"));
 }
 
 void add_smoothness_options(CLI::App& app, FitChoices& o, const auto& add) {
   auto* position = app.add_option("--deviation-position", o.position_deviation,
                                   "standard deviation of a pose's position [m]; default: found in the residuals");
-  auto* rotation = app.add_option("--deviation-rotation", o.rotation_deviation, "and of its rotation [rad]");
+  auto* rotation = app.add_option("--deviation-rotation", o.rotation_deviation,
+                                  "standard deviation of a pose's rotation [rad]");
   auto* smooth_position = app.add_option("--smooth-position", o.position_density,
-                                         "as if the derivative were white noise of this density [m/s^2/sqrt(Hz)], or "
-                                         "[m/s^3/sqrt(Hz)]; for smoothness, or knots closer than poses");
-  auto* smooth_rotation =
-      app.add_option("--smooth-rotation", o.rotation_density, "and [rad/s^2/sqrt(Hz)], or [rad/s^3/sqrt(Hz)]");
+                                         "smooth as if the derivative were white noise of this density "
+                                         "[m/s^2/sqrt(Hz)], or [m/s^3/sqrt(Hz)]; also for knots closer than poses");
+  auto* smooth_rotation = app.add_option("--smooth-rotation", o.rotation_density,
+                                         "the same for rotation [rad/s^2/sqrt(Hz)], or [rad/s^3/sqrt(Hz)]");
   add(position->needs(rotation));
   add(rotation->needs(position));
   add(smooth_position->needs(smooth_rotation)->needs(position));
   add(smooth_rotation->needs(smooth_position));
-  add(app.add_option("--smooth-derivative", o.smooth_derivative, "2: acceleration, 3: jerk")
+  add(app.add_option("--smooth-derivative", o.smooth_derivative, "derivative to smooth, 2: acceleration, 3: jerk")
           ->check(CLI::Range(2, 3))
           ->needs(smooth_position)
           ->capture_default_str());
@@ -49,18 +50,20 @@ void add_fit_options(CLI::App& app, FitChoices& o, CLI::Option* trajectory) {
     if (!trajectory->get_required()) option->needs(trajectory);
   };
   const auto add = [&](CLI::Option* option) { place(option, "Fit to the poses"); };
-  add(app.add_option("--order", o.order, "of the spline: degree + 1")->check(CLI::Range(3, 6))->capture_default_str());
-  add(app.add_option("--group", o.group, "split is SO(3) x R^3, se3 is SE(3)")
+  add(app.add_option("--order", o.order, "order of the spline: degree + 1")
+          ->check(CLI::Range(3, 6))
+          ->capture_default_str());
+  add(app.add_option("--group", o.group, "group of the spline: split is SO(3) x R^3, se3 is SE(3)")
           ->check(CLI::IsMember({"split", "se3"}))
           ->capture_default_str());
   add_knot_options(app, o, place);
-  add(app.add_option("--loss", o.loss, "of residuals")
+  add(app.add_option("--loss", o.loss, "loss function of the residuals")
           ->check(CLI::IsMember({"squares", "huber", "cauchy"}))
           ->capture_default_str());
   add_smoothness_options(app, o, add);
-  add(app.add_option("--outlier-limit", o.outlier_limit, "standard deviations from which on a pose is reported")
+  add(app.add_option("--outlier-limit", o.outlier_limit, "number of standard deviations above which a pose is reported")
           ->capture_default_str());
-  add(app.add_option("--most-iterations", o.most_iterations, "linear systems to solve")
+  add(app.add_option("--most-iterations", o.most_iterations, "largest number of linear systems to solve")
           ->check(CLI::Range(1, 1000000))
           ->capture_default_str());
   add(app.add_flag("--accept", o.accept, "write the files even if the fit has not converged"));
@@ -92,10 +95,11 @@ void check(const FitChoices& o) {
     chosen = name;
   }
   if (o.interpolate && o.order % 2 != 0) {
-    throw std::invalid_argument(message("--interpolate: order ", o.order, ", expected an even one"));
+    throw std::invalid_argument(message("--interpolate: order ", o.order, ", expected an even order"));
   }
   if (o.interpolate && (o.position_deviation || o.position_density)) {
-    throw std::invalid_argument("--interpolate: expected no deviations and no smoothness, the curve takes every pose");
+    throw std::invalid_argument(
+        "--interpolate: expected no deviations and no smoothness, since the curve goes through every pose");
   }
   if (o.position_density && o.smooth_derivative >= o.order) {
     throw std::invalid_argument(message("--smooth-derivative: ", o.smooth_derivative, " with --order ", o.order,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a curve is fitted to poses, as the command line of several programs says it.
+// The options for fitting a curve to poses, shared by several programs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@ struct FitChoices {
   int order = 4;
   std::string group = "split";
 
-  // How knots are placed: by at most one of these, and by default the program chooses an interval.
+  // How knots are placed: at most one of these. By default the program chooses an interval.
   std::optional<double> knot_interval;                 // s
   std::optional<double> goal_position, goal_rotation;  // m, rad
   bool cross_validate = false, adaptive = false, interpolate = false;
@@ -24,7 +24,7 @@ struct FitChoices {
   bool accept = false;
 };
 
-/// Adds the options of a fit. `trajectory` is the option that names the poses: where poses are not required, the others
+/// Adds the options of a fit. `trajectory` is the option for the file of poses. If it is optional, the added options
 /// need it.
 void add_fit_options(CLI::App& app, FitChoices& choices, CLI::Option* trajectory);
 

@@ -21,9 +21,9 @@ std::string knots_text(const FittedTrajectory& fitted, const FitChoices& o) {
   if (fitted.interval) {
     std::string text = formatted("knots: uniform, %.6g s apart", to_seconds<double>(*fitted.interval));
     if (!fitted.why_interval.empty()) text += " (" + fitted.why_interval + ')';
-    if (o.cross_validate) text += ", the longest interval that predicts poses left out as well as the best";
+    if (o.cross_validate) text += ", the longest interval that predicts left-out poses as well as the best";
     if (o.goal_position) {
-      text += formatted(", the longest that leave at most %g m and %g rad (rms of each axis, without outliers)",
+      text += formatted(", the longest with residuals of at most %g m and %g rad (rms of each axis, without outliers)",
                         *o.goal_position, *o.goal_rotation);
     }
     return text;
@@ -35,12 +35,12 @@ std::string knots_text(const FittedTrajectory& fitted, const FitChoices& o) {
     if (length > 0) shortest = std::min(shortest, length);
     longest = std::max(longest, length);
   }
-  return formatted("knots: non-uniform, %.4g to %.4g s apart, as many as leave %g m and %g rad in %zu segments",
+  return formatted("knots: non-uniform, %.4g to %.4g s apart, for residuals of %g m and %g rad, in %zu segments",
                    shortest, longest, *o.goal_position, *o.goal_rotation, segments);
 }
 
 std::string fit_text(const FittedTrajectory& fitted, const FitChoices& o) {
-  if (o.interpolate) return "fit: through every pose, without acceleration at the ends";
+  if (o.interpolate) return "fit: through every pose, with zero acceleration at the ends";
   std::string text = "fit: " + o.loss;
   if (o.adaptive && o.loss != "squares") text = "fit: squares, without outliers";
   if (o.position_density) {
@@ -70,13 +70,13 @@ std::string deviation_text(const FittedTrajectory& fitted, const FitChoices& o) 
   const bool split = o.group == "split";
   return formatted("standard deviation of a pose, as %s: x y z %.3g %.3g %.3g m%s, %.3g %.3g %.3g rad\n",
                    o.position_deviation ? "given" : "found in the residuals", p.x(), p.y(), p.z(),
-                   split ? "" : " in its body", r.x(), r.y(), r.z());
+                   split ? "" : " in its body frame", r.x(), r.y(), r.z());
 }
 
 std::string tried_text(const FittedTrajectory& fitted) {
   double least = INFINITY;
   for (const auto& [interval, error] : fitted.tried) least = std::min(least, error);
-  std::string text = "\ncross-validation\n  knot interval [s]   error of poses left out, over the least\n";
+  std::string text = "\ncross-validation\n  knot interval [s]   error of left-out poses, relative to the least\n";
   for (const auto& [interval, error] : fitted.tried) {
     text += formatted("  %17.6g   %10.4g%s\n", interval, error / least,
                       interval == *fitted.chosen_interval ? "  <- chosen" : "");
@@ -94,8 +94,8 @@ std::string outliers_text(const FitInput& input, const FittedTrajectory& fitted,
   if (o.interpolate) return "";
   const std::size_t count = fitted.outliers.size();
   if (count == 0) return formatted("outliers: none (%g standard deviations)\n", o.outlier_limit);
-  return formatted("outliers: %zu pose%s off by more than %g standard deviations, in seconds from the first pose\n",
-                   count, count == 1 ? " lies" : "s lie", o.outlier_limit) +
+  return formatted("outliers: %zu pose%s by more than %g standard deviations, in seconds from the first pose\n",
+                   count, count == 1 ? " deviates" : "s deviate", o.outlier_limit) +
          list(outlier_lines(input.poses, fitted.distances, fitted.outliers, most_lines));
 }
 
@@ -107,25 +107,25 @@ std::string holes_text(const FitInput& input, const FittedTrajectory& fitted, co
     text = formatted(
                "holes: %zu span%s without poses, where the curve is %s; in seconds from the first pose\n", count,
                count == 1 ? "" : "s",
-               o.position_density ? "what the smoothness makes of it" : "as smooth as can be and nothing measured it") +
+               o.position_density ? "determined by the smoothness only" : "as smooth as possible and not measured") +
            list(hole_lines(fitted.holes, input.poses.front().time, most_lines));
   }
   if (fitted.held_control_points == 0) return text;
-  return text + formatted("held: %zu of %zu control points, which poses alone do not determine\n",
+  return text + formatted("regularised: %zu of %zu control points, which poses alone do not determine\n",
                           fitted.held_control_points, fitted.control_points.size());
 }
 
 std::string condition_warning(double condition) {
   if (condition <= 1e10) return "";
   if (!std::isfinite(condition)) {
-    return "some control points are not determined at all, neither by poses nor by smoothness (--knot-interval: "
-           "further apart; --smooth-position)";
+    return "some control points are not determined at all, neither by poses nor by smoothness (a longer "
+           "--knot-interval, or --smooth-position)";
   }
-  return formatted("condition %.2g: of the curve's 16 digits about %.0f are lost where the poses hold it least",
+  return formatted("condition %.2g: about %.0f of the curve's 16 digits are lost where the poses determine it least",
                    condition, std::log10(condition));
 }
 
-/// The longest way without poses that is no hole, where it is long for the curve.
+/// Warns of the longest interval without poses, if it is long for the curve and is not reported as a hole.
 std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted, bool with_imu) {
   if (with_imu) return "";
   const nanoseconds limit = fitted.interval ? 2 * *fitted.interval : after(nanoseconds(0), 10 * median_interval(poses));
@@ -138,8 +138,8 @@ std::string sparse_warning(const Poses& poses, const FittedTrajectory& fitted, b
                                     [&](const Hole& hole) { return hole.start < to && hole.end > from; });
   if (to - from <= limit || reported) return "";
   return formatted(
-      "from %.3f to %.3f s there are no poses: their neighbours hold the curve there, but its derivatives "
-      "are hardly measured",
+      "from %.3f to %.3f s there are no poses: neighbouring poses determine the curve there, but hardly its "
+      "derivatives",
       to_seconds<double>(from - poses.front().time), to_seconds<double>(to - poses.front().time));
 }
 
@@ -148,11 +148,11 @@ std::string tried_warning(const FittedTrajectory& fitted) {
   const auto best = std::min_element(fitted.tried.begin(), fitted.tried.end(),
                                      [](const auto& a, const auto& b) { return a.error < b.error; });
   if (best + 2 < fitted.tried.end()) return "";
-  return "cross-validation finds nearly the shortest interval best that the poses can hold: their noise is not "
-         "independent from one to the next (smoothed by an estimator?), choose the interval otherwise";
+  return "cross-validation chooses nearly the shortest interval that the poses determine: their noise is correlated "
+         "from pose to pose (smoothed by an estimator?), choose the interval in another way";
 }
 
-/// What to be careful about, a line each; empty ones are none.
+/// Warnings, one line each; some may be empty.
 std::vector<std::string> warnings(const FitInput& input, const FittedTrajectory& fitted, const FitChoices& o,
                                   bool with_imu, const Extremes& found) {
   std::vector<std::string> lines{not_converged(fitted, o), condition_warning(fitted.condition)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// In words and numbers: what a fit has found, and what to be careful about. All programs that fit say the same.
+// The report of a fit: results and warnings. All programs that fit a curve print the same.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 #include "support/extremes.hpp"
 #include "support/fitted_trajectory.hpp"
 
-/// `imu` may be none.
+/// `imu` may be null.
 [[nodiscard]] std::string fit_report(const FitInput& input, const FittedTrajectory& fitted, const FitChoices& choices,
                                      const FitImu* imu, const Extremes& found);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fit of a curve to the poses of a file, of whichever order, group and knots, and what comes of it.
+// The fit of a curve to the poses of a file, for any order, group and knots, and its results.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@
 #include "support/pose_distances.hpp"
 #include "support/trajectory_input.hpp"
 
-/// Poses, the file that messages name, and lines on how it was read.
+/// Poses, the name of their file for messages, and lines on how it was read.
 struct FitInput {
   std::filesystem::path file;
   Poses poses;
@@ -27,27 +27,27 @@ struct FitInput {
 };
 [[nodiscard]] FitInput read_fit_input(const TrajectoryInput& input);
 
-/// An IMU that was there: its samples, and how it is calibrated.
+/// A recorded IMU: its samples, and how to calibrate it.
 struct FitImu {
   std::filesystem::path file;
   std::vector<splinertia::EurocImu> samples{};
-  std::optional<double> gyro_deviation{}, accel_deviation{};  // of a sample, rad/s, m/s²; default: of the residuals
+  std::optional<double> gyro_deviation{}, accel_deviation{};  // of a sample, rad/s, m/s²; default: from residuals
   bool estimate_lever_arm = false, estimate_time_offset = false;
-  bool fit_together = false;  // fit the curve to its samples, too
+  bool fit_together = false;  // also fit the curve to the samples
   Eigen::Vector3d gravity{0, 0, -9.80665};
 };
 
-/// A sample of the IMU that was there, and what the calibrated curve says to it.
+/// The reading that the curve and the calibration predict for a sample of a recorded IMU, and the residuals.
 struct SampleResidual {
   std::chrono::nanoseconds time;
   Eigen::Vector3d gyro, accel;                    // of the curve
   Eigen::Vector3d gyro_residual, accel_residual;  // curve − sample
-  bool invented;                                  // the curve is that of a hole
+  bool invented;                                  // inside a hole
 };
 
 struct FittedImu {
   splinertia::CalibratedImu<double> calibrated;
-  double gyro_deviation, accel_deviation;  // that the samples were taken to have
+  double gyro_deviation, accel_deviation;  // standard deviations assumed for a sample
   std::vector<SampleResidual> samples{};   // within the curve
 };
 
@@ -55,17 +55,17 @@ struct FittedTrajectory {
   AnyTrajectory curve{};
   std::vector<std::chrono::nanoseconds> knots{};       // of non-uniform knots
   std::optional<std::chrono::nanoseconds> interval{};  // of uniform knots
-  std::string why_interval{};                          // why the program chose it, where it did
-  Poses control_points{};                              // at the times that they belong to
-  std::optional<double> chosen_interval{};             // s, by a search
+  std::string why_interval{};                          // why the program chose it; empty if it did not
+  Poses control_points{};                              // at their times
+  std::optional<double> chosen_interval{};             // s, found by a search
   std::vector<splinertia::KnotIntervalError> tried{};  // by cross-validation
 
   Poses smoothed{};  // the curve at the times of the poses
   PoseDistances distances{};
   Eigen::Vector3d rotation_deviation{}, position_deviation{};
   std::vector<std::size_t> outliers{};
-  std::vector<Hole> holes{};            // where the curve is invented
-  std::size_t held_control_points = 0;  // that the poses alone do not determine
+  std::vector<Hole> holes{};            // where no poses measure the curve
+  std::size_t held_control_points = 0;  // control points that poses alone do not determine
   int iterations = 0;
   bool converged = true;
   double condition = 0;
@@ -75,8 +75,9 @@ struct FittedTrajectory {
   [[nodiscard]] std::vector<std::chrono::nanoseconds> breaks() const;
 };
 
-/// Fits a curve as the choices say; `imu` may be none. Throws what is wrong with poses, samples and choices.
+/// Fits a curve with the given choices; `imu` may be null. Throws std::runtime_error or std::invalid_argument if poses,
+/// samples or choices cannot be used.
 [[nodiscard]] FittedTrajectory fit_trajectory(const FitInput& input, const FitChoices& choices, const FitImu* imu);
 
-/// Why the result should not be used without --accept: what has not converged, in one sentence. Empty if all has.
+/// What has not converged, in one sentence, so that the result needs --accept. Empty if everything has converged.
 [[nodiscard]] std::string not_converged(const FittedTrajectory& fitted, const FitChoices& choices);

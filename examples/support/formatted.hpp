@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// What printf would print.
+/// The text that printf would print.
 [[gnu::format(printf, 1, 2)]] inline std::string formatted(const char* format, ...) {
   std::va_list arguments, again;
   va_start(arguments, format);

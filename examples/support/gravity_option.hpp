@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The option --gravity, which several programs have.
+// The option --gravity of several programs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,8 +13,8 @@ struct GravityOption {
   Eigen::Vector3d vector{0, 0, -9.80665};
 };
 
-/// Adds --gravity: three numbers, or one amount along -z. The parser refuses a negative amount, whose sign would be
-/// lost, and numbers that are not finite. The pointer is for groups and for count().
+/// Adds --gravity: three numbers, or a magnitude along -z. The parser rejects a negative magnitude, whose sign would be
+/// ambiguous, and numbers that are not finite. Returns the option, for group() and count().
 inline CLI::Option* add_gravity_option(CLI::App& app, GravityOption& gravity) {
   const auto read = [&gravity](const std::vector<double>& numbers) {
     const auto refuse = [](const auto&... what) {
@@ -28,14 +28,14 @@ inline CLI::Option* add_gravity_option(CLI::App& app, GravityOption& gravity) {
     } else if (numbers.size() != 1) {
       refuse(numbers.size(), " numbers, expected 1 or 3");
     } else if (numbers[0] < 0) {
-      refuse(numbers[0], ", expected an amount >= 0, which acts along -z, or a vector x y z");
+      refuse(numbers[0], ", expected a magnitude >= 0, which acts along -z, or a vector x y z");
     } else {
       gravity.vector = {0, 0, -numbers[0]};
     }
   };
   return app
       .add_option_function<std::vector<double>>(
-          "--gravity", read, "acceleration of free fall in the world [m/s^2]: x y z, or its amount along -z")
+          "--gravity", read, "acceleration of free fall in the world [m/s^2]: x y z, or its magnitude along -z")
       ->expected(1, 3)
       ->check(CLI::Number)
       ->default_str("0 0 -9.80665");

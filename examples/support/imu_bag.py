@@ -26,9 +26,10 @@ HEADER = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad
           "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]")
 
 
-# The bytes of a sensor_msgs/Imu are the same in ROS 1 and in ROS 2 (CDR) but for the first 4, which are a counter or
-# the encoding, and for the frame's name, which CDR ends with a zero and pads, so that the numbers begin at a multiple
-# of 8. rosbags' own functions, made for any message, halve the speed of the whole; tests/examples/imu_bag_check.py compares.
+# The bytes of a sensor_msgs/Imu are the same in ROS 1 and in ROS 2 (CDR) except for the first 4 bytes, which are a
+# counter (ROS 1) or the encoding (CDR), and for the frame's name, which CDR ends with a zero and pads, so that the
+# numbers begin at a multiple of 8. The functions of rosbags, which handle any message, would halve the speed of the
+# whole script. tests/examples/imu_bag_check.py compares the results with them.
 CDR_LITTLE_ENDIAN = 0x100
 NO_ORIENTATION = struct.pack("<13d", 0, 0, 0, 1, -1, *[0] * 8)  # quaternion, and its covariance: -1 is "not measured"
 
@@ -70,7 +71,7 @@ def decoder(ros1):
 
 
 def read_csv(path, progress):
-    """The samples (stamp, (wx, wy, wz, ax, ay, az)) of a EuRoC file."""
+    """Yields the samples (stamp, (wx, wy, wz, ax, ay, az)) of a EuRoC file."""
     stamp, found, done = -1, False, 0
     size = path.stat().st_size
     with open(path, "rb") as file:
@@ -112,7 +113,7 @@ def write_bag(arguments, progress):
             raise Failure(f"{output}: unknown ending {output.suffix}, expected .bag, .mcap, a folder, or a --format")
         form = "ros2-mcap"
     if not re.fullmatch(r"(/\w+)+", arguments.topic, re.ASCII):
-        raise Failure(f"{arguments.topic!r} is no topic, expected a name such as /imu0")
+        raise Failure(f"{arguments.topic!r} is not a topic, expected a name such as /imu0")
     target = output.resolve()
     single = output.suffix == SUFFIXES[form]
     ros1 = form == "ros1"
@@ -131,7 +132,7 @@ def write_bag(arguments, progress):
             storage = rosbags.rosbag2.StoragePlugin
             plugin = storage.MCAP if form == "ros2-mcap" else storage.SQLITE3
             folder = temporary.with_suffix("") if single else temporary
-            # Version 8 is what Humble and all since can read.
+            # Humble and all later releases can read version 8.
             writer = rosbags.rosbag2.Writer(folder, version=8, storage_plugin=plugin)
             types = rosbags.typesys.get_typestore(rosbags.typesys.Stores.ROS2_HUMBLE)
         with writer:
@@ -146,7 +147,7 @@ def write_bag(arguments, progress):
 
 
 def read_bag(path, wanted, duplicates, progress):
-    """The topic, then the samples (stamp, wx, wy, wz, ax, ay, az) of a bag, as they arrived."""
+    """Yields the topic, then the samples (stamp, wx, wy, wz, ax, ay, az) of a bag in the order of arrival."""
     with opened(path) as (reader, ros1):
         connections = choose_topic(path, reader.connections, [MESSAGE], "IMU", wanted)
         topic = connections[0].topic
@@ -160,7 +161,7 @@ def read_bag(path, wanted, duplicates, progress):
             try:
                 sample = decode(data)
             except (struct.error, ValueError) as error:
-                raise Failure(f"{path}: message {index + 1} of {topic} is no sensor_msgs/Imu: {error}") from None
+                raise Failure(f"{path}: message {index + 1} of {topic} is not a sensor_msgs/Imu: {error}") from None
             if not sample[0] > last and not (duplicates and sample[0] == last >= 0):
                 raise Failure(f"{path}: message {index + 1} of {topic} has stamp {sample[0]} ns after {last}, "
                               "expected increasing header stamps" +
@@ -177,7 +178,7 @@ def write_csv(arguments, progress):
     keep_input(source, pathlib.Path(arguments.output))
     samples = read_bag(source, arguments.topic, arguments.keep_duplicates, progress)
     topic = next(samples)
-    samples = itertools.chain([next(samples)], samples)  # most of what can be wrong is found before anything is written
+    samples = itertools.chain([next(samples)], samples)  # finds most errors before anything is written
     with contextlib.ExitStack() as stack:
         if arguments.output == "-":
             file = sys.stdout
@@ -204,16 +205,17 @@ def main():
     command = commands.add_parser("to-bag", help="write sensor_msgs/Imu messages of a EuRoC csv")
     command.add_argument("input", help="csv: ns,wx,wy,wz,ax,ay,az")
     command.add_argument("output", help="log.bag (ROS 1), log.mcap, log.db3, or a new folder (ROS 2)")
-    command.add_argument("--topic", default="/imu0", help="(%(default)s)")
+    command.add_argument("--topic", default="/imu0", help="topic to write (%(default)s)")
     command.add_argument("--frame", default="imu", help="frame_id of the headers (%(default)s)")
-    command.add_argument("--format", choices=SUFFIXES, help="if the output's name does not say; a folder is mcap")
+    command.add_argument("--format", choices=SUFFIXES, help="if the output's name does not show it; a folder is mcap")
     command.set_defaults(run=write_bag)
     command = commands.add_parser("to-csv", help="read sensor_msgs/Imu messages of a bag")
     command.add_argument("input", help="log.bag (ROS 1), log.mcap, log.db3 or a folder (ROS 2)")
     command.add_argument("output", help="csv to write, - for the standard output")
-    command.add_argument("--topic", help="needed if there are several with IMU messages")
+    command.add_argument("--topic", help="topic to read, needed if there are several with IMU messages")
     command.add_argument("--name-topic", action="store_true", help="begin with a line #topic NAME")
-    command.add_argument("--keep-duplicates", action="store_true", help="write messages whose stamp equals the one before")
+    command.add_argument("--keep-duplicates", action="store_true",
+                         help="also write messages with the same stamp as the previous one")
     command.set_defaults(run=write_csv)
     with standard_output.checked("imu_bag.py"):
         arguments = parser.parse_args()

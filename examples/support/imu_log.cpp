@@ -27,7 +27,7 @@ using namespace splinertia;
 
 namespace {
 
-/// The samples of one log, in rows, and when they were taken.
+/// The samples of one log and their times.
 struct Stream {
   ImuTable table;
   ImuColumns columns;
@@ -43,7 +43,7 @@ bool is_among(std::span<const std::string_view> names, const std::string& name) 
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// How to read the log of both sensors, or of one of two logs.
+/// How to read the log of both sensors, or one of two logs.
 ImuTable table_of(const std::filesystem::path& path, const ImuLogOptions& options) {
   ImuTable table{.path = path,
                  .columns = options.columns,
@@ -60,18 +60,18 @@ ImuTable table_of(const std::filesystem::path& path, const ImuLogOptions& option
   return table;
 }
 
-/// Fills in the columns that were not given: those of EuRoC without the ones of a sensor that another log is for.
+/// Fills in the columns if none are given: those of EuRoC without the sensor that is in the other log.
 void complete(ImuTable& table, std::span<const std::string_view> of_other_log) {
   const bool bag = is_ros_bag(table.path);
   if (bag && (table.rate || !table.columns.empty() || table.time_unit)) {
     throw std::invalid_argument(message(table.path.string(), ": a ROS bag, expected no ", table.rate_option, ", ",
-                                        table.columns_option, " and --time-unit"));
+                                        table.columns_option, " or --time-unit"));
   }
   if (table.rate) require_positive(table.rate_option.c_str(), "rate", *table.rate);
   for (const std::string& name : table.columns) {
     if (!is_among(of_other_log, name)) continue;
     throw std::invalid_argument(message(table.columns_option, ": ", name, ", expected the columns of one sensor, ",
-                                        "since --accel-log is of the accelerometer"));
+                                        "since --accel-log has the accelerometer"));
   }
   if (!table.columns.empty()) return;
   table.usual_time_unit = TimeUnit::nanoseconds;
@@ -82,12 +82,12 @@ void complete(ImuTable& table, std::span<const std::string_view> of_other_log) {
   }
 }
 
-/// The log, or that of the gyroscope and that of the accelerometer.
+/// The log of both sensors, or the logs of the gyroscope and of the accelerometer.
 std::vector<ImuTable> tables_of(const std::filesystem::path& path, const ImuLogOptions& options) {
   std::vector<ImuTable> tables{table_of(path, options)};
   if (!options.accel_log) {
     if (!options.accel_columns.empty() || options.accel_rate || options.accel_topic) {
-      throw std::invalid_argument("--accel-columns, --accel-rate, --accel-topic: expected --accel-log beside them");
+      throw std::invalid_argument("--accel-columns, --accel-rate, --accel-topic: expected --accel-log, too");
     }
     complete(tables[0], {});
     return tables;
@@ -103,13 +103,13 @@ std::vector<ImuTable> tables_of(const std::filesystem::path& path, const ImuLogO
   return tables;
 }
 
-/// What to do about stamps that are refused.
+/// The options that help if the stamps are rejected, for the message.
 std::string ways_out(const Stream& stream, const allan::SamplingLimits& limits) {
   const LogSampling& sampling = *stream.sampling;
   if (sampling.bursts) {
-    std::string text = "; --arrival-times takes this rate";
+    std::string text = "; --arrival-times uses this rate";
     if (is_ros_bag(stream.table.path)) return text;
-    text += message(", and so does a log without times: ", stream.table.columns_option, '=');
+    text += message(", and so does reading the log without times: ", stream.table.columns_option, '=');
     for (std::size_t i = 0; i < stream.table.columns.size(); ++i) {
       const std::string& name = stream.table.columns[i];
       text += (i == 0 ? "" : ",") + (name == "t" ? "-" : name);
@@ -117,9 +117,9 @@ std::string ways_out(const Stream& stream, const allan::SamplingLimits& limits) 
     return text + message(' ', stream.table.rate_option, ' ', formatted("%.7g", sampling.rate));
   }
   if (sampling.jitter > limits.jitter * sampling.nominal_interval) {
-    return "; --most-jitter accepts more, --arrival-times takes no more than the rate from the times";
+    return "; --most-jitter accepts more, --arrival-times uses the times only for the rate";
   }
-  return "; --most-missing accepts more, --leave-out A-B joins what is on both sides of a stretch";
+  return "; --most-missing accepts more, --leave-out A-B leaves out a time span and joins the parts before and after";
 }
 
 Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
@@ -127,14 +127,14 @@ Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
   const std::size_t kept = stream.columns.rows, dropped = stream.columns.duplicates;
   if (dropped * 100 > kept + dropped) {
     throw std::runtime_error(message(table.path.string(), ": sampling: ", dropped, " of ", kept + dropped,
-                                     " rows have the stamp of the row before, expected at most 1 % to drop: they are "
-                                     "samples of packets with a stamp "
-                                     "each; leave the times out with - for t in --columns, and give ",
+                                     " rows have the stamp of the previous row, expected at most 1 % to drop: they "
+                                     "are samples of packets with one stamp each; ignore the times with - for t in "
+                                     "--columns, and give ",
                                      table.rate_option));
   }
   if (table.rate && !is_finite(static_cast<double>(kept) / *table.rate)) {
     throw std::invalid_argument(message(table.rate_option, ": rate is ", *table.rate, " Hz, at which ", kept,
-                                        " samples take longer than a number can say"));
+                                        " samples exceed the largest time that a number can represent"));
   }
   stream.left_out = leave_out(stream.columns, options, table.rate);
   if (stream.columns.times.empty()) return stream;
@@ -153,29 +153,29 @@ Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
   return stream;
 }
 
-/// How regularly the samples come.
+/// Rate, jitter and missing samples.
 std::string sampling_text(const Stream& stream, const allan::SamplingLimits& limits) {
   if (!stream.sampling) return formatted("%.7g Hz, as given", stream.rate);
   const LogSampling& sampling = *stream.sampling;
   std::string text = formatted("%.7g Hz, ", sampling.rate);
   if (sampling.bursts) {
-    text += formatted("samples over time, since the stamps are arrival times: bursts of %.3g every %.4g ms; ",
+    text += formatted("number of samples over time, since the stamps are arrival times: bursts of %.3g every %.4g ms; ",
                       sampling.bursts->samples, sampling.bursts->period * 1e3);
   } else {
-    if (limits.arrival_times) text += "samples over time, since the stamps are arrival times; ";
+    if (limits.arrival_times) text += "number of samples over time, since the stamps are arrival times; ";
     text += formatted("jitter %.3g ms (rms), at most %.3g ms; ", sampling.jitter * 1e3, sampling.largest_jitter * 1e3);
   }
   if (sampling.gaps == 0) return text + "no samples missing";
   return text + formatted(
-                    "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, taken "
+                    "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, analysed "
                     "as if there were none",
                     static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps),
                     sampling.longest.duration, static_cast<long long>(sampling.longest.index));
 }
 
-/// Adds what a stream says about how it was read. With two streams, each line begins with the name of its sensor.
+/// Adds lines on how a stream was read. With two streams, each line begins with the name of its sensor.
 void report(const Stream& stream, const std::string& name, const ImuLogOptions& options, ImuLog& log) {
-  if (!name.empty() && !log.report.empty()) {  // the first is what the report begins with
+  if (!name.empty() && !log.report.empty()) {  // the report begins with the first log
     log.report.push_back(message(name, "log: ", stream.table.path.string(),
                                  stream.columns.topic ? " (" + *stream.columns.topic + ')' : "", ", ",
                                  stream.columns.rows, " samples, ",
@@ -185,7 +185,7 @@ void report(const Stream& stream, const std::string& name, const ImuLogOptions& 
   if (stream.columns.duplicates > 0) {
     log.report.push_back(message(name, "duplicates: ", stream.columns.duplicates,
                                  stream.columns.duplicates == 1 ? " row" : " rows",
-                                 " with the stamp of the row before left out"));
+                                 " with the stamp of the previous row left out"));
   }
   if (!stream.left_out.inside.empty()) {
     std::vector<std::string> spans;
@@ -193,7 +193,7 @@ void report(const Stream& stream, const std::string& name, const ImuLogOptions& 
       spans.push_back(formatted("%.6g s to %.6g s", span.begin, span.end));
     }
     log.report.push_back(message(name, "left out: ", list_of(spans), ", ", stream.left_out.rows_inside,
-                                 " samples; what is on both sides is joined"));
+                                 " samples; the parts before and after are joined"));
   }
   if (!stream.columns.unit_note.empty()) {
     log.units += message(log.units.empty() ? "" : ", ", name, stream.columns.unit_note, " (--time-unit)");
@@ -267,7 +267,7 @@ std::vector<double> read_numbers(const std::filesystem::path& path) {
     } else {
       return numbers;
     }
-    if (numbers.size() == 10'000 && file.progress() > 0) {  // enough to tell the length of the rest
+    if (numbers.size() == 10'000 && file.progress() > 0) {  // enough to estimate the total count
       numbers.reserve(static_cast<std::size_t>(1.02 * static_cast<double>(numbers.size()) / file.progress()));
     }
   }

@@ -16,7 +16,7 @@ using namespace splinertia;
 
 namespace {
 
-/// The mean of each axis, if all three are there.
+/// The mean of each axis, if the log has all three.
 std::optional<Eigen::Vector3d> mean_of(const SensorLog& sensor) {
   if (sensor.axes.size() != 3) return std::nullopt;
   Eigen::Vector3d mean;
@@ -28,7 +28,7 @@ std::optional<Eigen::Vector3d> mean_of(const SensorLog& sensor) {
   return mean;
 }
 
-/// As many digits as a person needs.
+/// A number with 4 digits.
 std::string short_text(double value) { return formatted("%.4g", value); }
 
 }  // namespace
@@ -47,13 +47,14 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
     if (allan::plausible_gyroscope_mean(*mean)) return;
     say(true,
         message("gyroscope: its mean is ", short_text(mean->norm()),
-                " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if so it is)"));
+                " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if that is "
+                "right)"));
     return;
   }
   using allan::AccelerometerMean;
   const std::string found =
       message("accelerometer: its mean is ", short_text(mean->norm()), " m/s^2, expected 9.8 at rest: ");
-  const char* or_si = " (or m/s2, if so it is)";
+  const char* or_si = " (or m/s2, if that is right)";
   switch (allan::recognize_accelerometer_mean(*mean)) {
     case AccelerometerMean::gravity:
       break;
@@ -64,7 +65,7 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
       say(true, message(found, "it looks like mg, give --accel-unit mg", or_si));
       break;
     case AccelerometerMean::no_gravity:
-      say(false, message(found, "gravity has been taken out, perhaps by a filter, which shapes the noise, too"));
+      say(false, message(found, "gravity has been removed, perhaps by a filter, which also changes the noise"));
       break;
     case AccelerometerMean::unclear:
       say(false, message(found, "it moves, is not calibrated, or is in another unit"));

@@ -32,10 +32,10 @@ class ColumnReader {
       const auto place = static_cast<std::size_t>(found - imu_column_names.begin());
       if (place == unused && name != "-") {
         throw std::invalid_argument(message(table.columns_option, ": ", excerpt(name),
-                                            ", expected t, gx, gy, gz, ax, ay, az, or - for what is not wanted"));
+                                            ", expected t, gx, gy, gz, ax, ay, az, or - for a column to ignore"));
       }
       if (place != unused && std::find(places_.begin(), places_.end(), place) != places_.end()) {
-        throw std::invalid_argument(message(table.columns_option, ": ", name, " is there twice, expected each once"));
+        throw std::invalid_argument(message(table.columns_option, ": ", name, " is given twice, expected each once"));
       }
       if (place == 0) time_column_ = places_.size();
       places_.push_back(place);
@@ -47,7 +47,8 @@ class ColumnReader {
           message(table.columns_option, ": ", names_, ", expected at least one of gx, gy, gz, ax, ay, az"));
     }
     if (time_column_ && table.rate) {
-      throw std::invalid_argument(message(table.rate_option, ": the log has times (column t), expected one of them"));
+      throw std::invalid_argument(
+          message(table.rate_option, ": the log has times (column t), expected only one of the two"));
     }
     if (!time_column_ && !table.rate) {
       throw std::invalid_argument(
@@ -55,7 +56,7 @@ class ColumnReader {
     }
   }
 
-  /// Looks at the first stamps to tell their unit.
+  /// Infers the unit of the stamps from the first ones, unless it is given.
   void choose_unit(ImuColumns& columns) const {
     columns.time_unit = table_.time_unit.value_or(table_.usual_time_unit.value_or(TimeUnit::seconds));
     std::error_code error;
@@ -106,7 +107,7 @@ class ColumnReader {
   [[noreturn]] void refuse_empty(const TextFile& file) const { file.fail("no samples, expected lines of ", names_); }
 
  private:
-  /// Neither a number nor one that is lost.
+  /// Whether a field is a column name: not a number, and not nan or inf, which mark a lost reading.
   static bool is_name(std::string_view text) {
     std::string lower(text.substr(0, 4));
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
@@ -115,7 +116,7 @@ class ColumnReader {
            unsigned_text != "inf";
   }
 
-  /// False: the row is a duplicate, and dropped.
+  /// Returns false if the row is a duplicate, which is dropped.
   bool add_time(const TextFile& file, std::string_view field, ImuColumns& columns) const {
     const std::string_view unit = time_unit_name(columns.time_unit);
     const Parsed<nanoseconds> time = parse_time(field, static_cast<int>(columns.time_unit));
@@ -130,7 +131,7 @@ class ColumnReader {
         return false;
       }
       file.fail("time ", field, ' ', unit, " follows ", times.back().count(),
-                " ns, expected increasing times: --drop-duplicates leaves such rows out; or leave the times out: ",
+                " ns, expected increasing times: --drop-duplicates leaves out such rows; or ignore the times: ",
                 table_.columns_option, "=", names_without_time_, ' ', table_.rate_option, " HZ");
     }
     if (!times.empty() && time.value < times.back()) {

@@ -16,9 +16,10 @@ namespace {
 
 constexpr RateRange imu_rates{2, 50e3};     // Hz
 constexpr double shortest_log = 1;          // s
-constexpr std::size_t enough_stamps = 100;  // fewer say little, and are no log to analyse
+constexpr std::size_t enough_stamps = 100;  // fewer are too uncertain, and too short a log to analyse
 
-/// "--time-unit ms (200 Hz)": the units in which stamps of this rate, in another unit, would be those of an IMU.
+/// "--time-unit ms (200 Hz)": the units other than `unit` in which the rate would be plausible for an IMU. `rate` is
+/// that of the stamps in `unit`.
 std::string plausible_units(double rate, double duration, TimeUnit unit) {
   std::string text;
   for (const TimeUnit other : all_time_units) {
@@ -34,7 +35,7 @@ std::string plausible_units(double rate, double duration, TimeUnit unit) {
 std::string too_fast(double rate, std::optional<TimeUnit> unit) {
   return message("sampling: ", formatted("%.4g", rate), " Hz",
                  unit ? message(" if the times are in ", time_unit_name(*unit)) : "", ", expected at most ",
-                 imu_rates.highest, " Hz of an IMU");
+                 imu_rates.highest, " Hz for an IMU");
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ StampUnit choose_stamp_unit(std::span<const std::string> first_stamps, std::opti
           ? message("give --time-unit ", time_unit_name(*since_1970), formatted(" (%.4g Hz)", rate_in(*since_1970)))
           : plausible_units(rate, 1e9 * shortest_log, unit);
   if (usual) throw std::runtime_error(message(where, ": ", too_fast(rate, unit), "; ", way_out));
-  throw std::runtime_error(message(where, ": nothing tells the unit of the times: the samples would have ",
+  throw std::runtime_error(message(where, ": the unit of the times is unknown: the samples would have ",
                                    rates_text(sample.mean_step), "; ", way_out));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The stamps of an IMU log: their unit, and whether an IMU can have them.
+// The stamps of an IMU log: their unit, and whether they are plausible.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ struct StampUnit {
   std::string note;  ///< why, for the report; empty: it is the usual one
 };
 
-/// The unit of stamps, from the first of them as text. It is the one in which they count from 1970 if no format says
-/// otherwise, seconds if they have decimals, or else the usual one. Throws std::runtime_error that begins with `where`
-/// and names --time-unit if an IMU cannot have such a rate.
+/// Infers the unit of stamps from the first ones as text. If no format fixes it, it is the one in which they count from
+/// 1970, or seconds if they have decimals; otherwise it is the usual one. Throws std::runtime_error that begins with
+/// `where` and names --time-unit if the rate is not plausible for an IMU.
 [[nodiscard]] StampUnit choose_stamp_unit(std::span<const std::string> first_stamps,
                                           std::optional<splinertia::TimeUnit> usual, const std::string& where);
 
-/// Throws std::runtime_error if no IMU can have this rate, or the log lasts less than a second. `unit` is that of the
-/// stamps; without one (a ROS bag) --time-unit is not named.
+/// Throws std::runtime_error if the rate is too high for an IMU, or the log lasts less than a second. `unit` is that of
+/// the stamps; without it (a ROS bag) the message does not name --time-unit.
 void require_plausible_times(const LogSampling& sampling, std::optional<splinertia::TimeUnit> unit);

@@ -22,7 +22,7 @@ struct Rows {
   std::size_t first, last;
 };
 
-/// "10-20.5". A minus sign behind an e belongs to the number.
+/// Parses "10-20.5". A minus sign after an e belongs to the number.
 LogSpan parse_span(const std::string& text) {
   for (std::size_t i = 1; i < text.size(); ++i) {
     if (text[i] != '-' || text[i - 1] == 'e' || text[i - 1] == 'E') continue;
@@ -39,7 +39,7 @@ class Clock {
  public:
   Clock(const ImuColumns& columns, std::optional<double> rate) : columns_(columns), rate_(rate) {}
 
-  /// The first row at this time, in s, or later.
+  /// The first row at or after a time in s.
   [[nodiscard]] std::size_t row_at(double time) const {
     const auto rows = static_cast<double>(columns_.rows);
     if (rate_) return static_cast<std::size_t>(std::min(std::ceil(time * *rate_), rows));
@@ -86,7 +86,7 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
   const std::size_t all = columns.rows;
   std::vector<Rows> removed{{0, clock.row_at(options.skip)}};
   if (removed[0].last + 1 >= all)
-    throw std::invalid_argument(message("--skip: ", options.skip, " s is all of the log"));
+    throw std::invalid_argument(message("--skip: ", options.skip, " s is the whole log"));
   if (options.until) {
     require_positive("--until", "time", *options.until);
     removed.push_back({clock.row_at(*options.until), all});
@@ -100,18 +100,18 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
     removed.push_back({clock.row_at(span.begin), clock.row_at(span.end)});
     if (removed.back().first == removed.back().last) {
       throw std::invalid_argument(
-          message("--leave-out: ", excerpt(text), " has no sample, the log is ", clock.duration(), " s long"));
+          message("--leave-out: ", excerpt(text), " contains no sample, the log is ", clock.duration(), " s long"));
     }
   }
   merge(removed);
   if (!removed.empty() && removed.front().first == 0 && removed.front().last == all) {
-    throw std::invalid_argument("--leave-out: this is all of the log");
+    throw std::invalid_argument("--leave-out: this is the whole log");
   }
 
   LeftOut result;
   std::size_t kept = 0;
   const auto keep = [&](std::size_t first, std::size_t last) {
-    // Stamps drift from the mean rate, and samples may be missing: every now and then their time is noted.
+    // The time of every 1000th sample is recorded, because stamps drift from the mean rate and samples may be missing.
     constexpr std::size_t step = 1000;
     for (std::size_t row = first; row < last; row += step) {
       result.times.push_back({kept + row - first, clock.time_of(row)});

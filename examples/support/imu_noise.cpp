@@ -25,7 +25,7 @@ const Names& names_of(Estimator estimator) {
   return table.at(static_cast<std::size_t>(estimator));
 }
 
-// The root of the sum of squares of the densities of all terms T, of the axis where it is largest.
+// The root of the sum of squares of the densities of all terms T, on the axis where it is largest.
 template <typename T>
 double density_of(const AnySensorModel& model) {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();

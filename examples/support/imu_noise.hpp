@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The noise of an IMU as estimators are told of it: four densities, in the files of Kalibr, OpenVINS, VINS, ORB-SLAM3
-// and GTSAM, in and out.
+// The noise of an IMU as estimators use it: four densities, read from and written to the files of Kalibr, OpenVINS,
+// VINS, ORB-SLAM3 and GTSAM.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@
 
 #include "support/any_error_model.hpp"
 
-/// What these files say: densities of continuous time, and what a calibration of Kalibr (scale-misalignment) or
-/// OpenVINS adds to it.
+/// The content of these files: densities of continuous time, and the intrinsics from a calibration of Kalibr
+/// (scale-misalignment) or OpenVINS.
 struct ImuNoise {
   double gyro_noise_density = 0;                        ///< rad/s/√Hz
   double gyro_random_walk = 0;                          ///< rad/s²/√Hz
@@ -27,12 +27,12 @@ struct ImuNoise {
   std::optional<Eigen::Matrix3d> accel_misalignment{};  ///< Kalibr's M, OpenVINS' Ta·R_IMUtoACC
 };
 
-/// Whose file it is.
+/// The estimator that a file is for.
 enum class Estimator { kalibr, openvins, vins, orbslam3, gtsam };
 inline constexpr std::array<Estimator, 5> estimators{Estimator::kalibr, Estimator::openvins, Estimator::vins,
                                                      Estimator::orbslam3, Estimator::gtsam};
 
-/// kalibr, openvins, vins (VINS-Mono and VINS-Fusion), orbslam3, gtsam: what options call it.
+/// The name in options: kalibr, openvins, vins (VINS-Mono and VINS-Fusion), orbslam3, gtsam.
 [[nodiscard]] std::string_view option_name(Estimator estimator);
 
 /// Kalibr, OpenVINS, VINS, ORB-SLAM3, GTSAM.
@@ -55,9 +55,9 @@ inline constexpr std::array<Estimator, 5> estimators{Estimator::kalibr, Estimato
 /// was expected.
 [[nodiscard]] ImuNoise read_imu_noise(const std::filesystem::path& path, std::optional<double> rate = std::nullopt);
 
-/// Its errors as terms, in Kalibr's order: misalignment, g-sensitivity, random walk, white noise.
+/// The error terms of this noise, in Kalibr's order: misalignment, g-sensitivity, random walk, white noise.
 [[nodiscard]] AnyImu errors_of(const ImuNoise& noise);
 
-/// What an estimator should be told of these errors: white noise and random walks, of the noisiest axis, added up in
-/// squares. Nothing if one of the four is zero, which estimators refuse.
+/// The densities of these errors for estimators: white noise and random walks, each the root of the sum of squares on
+/// the noisiest axis. Nothing if one of the four is zero, which estimators reject.
 [[nodiscard]] std::optional<ImuNoise> imu_noise_of(const AnyImu& imu, double rate);

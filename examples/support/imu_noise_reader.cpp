@@ -44,11 +44,11 @@ const Format& format_of(const YamlReader& file) {
     for (const Format& format : formats) {
       expected += message(expected.empty() ? "" : ", ", format.owners, " (", format.keys[0], ", ...)");
     }
-    file.fail("no noise of an IMU, expected the keys of " + expected);
+    file.fail("no IMU noise, expected the keys of " + expected);
   }
   if (found.size() > 1) {
     file.fail(message("keys of ", found[0]->owners, " (", found[0]->keys[0], ", ...) and of ", found[1]->owners, " (",
-                      found[1]->keys[0], ", ...), expected those of one"));
+                      found[1]->keys[0], ", ...), expected only those of one"));
   }
   return *found.front();
 }
@@ -66,12 +66,12 @@ double update_rate(const YamlReader& file, Estimator estimator, std::optional<do
   if (file.has(key) || !optional) return positive(file, key);
   if (rate) return *rate;
   if (estimator == Estimator::vins) {
-    file.fail("no update_rate, expected one or --rate: VINS' values are those of a sample and depend on the rate");
+    file.fail("no update_rate, expected one or --rate: VINS' values are per sample and depend on the rate");
   }
   return ImuNoise{}.update_rate;
 }
 
-/// Does something with what a place of the file says. Where that is refused, the message names the place.
+/// Calls work(). If it rejects a value, the message names the place in the file.
 void use(const YamlReader& place, const auto& work) {
   try {
     work();
@@ -110,14 +110,14 @@ void read_intrinsics(const YamlReader& file, ImuNoise& noise) {
   if (model == "scale-misalignment") {
     read_kalibr_intrinsics(file, noise);
   } else if (model == "calibrated" || model == "kalibr" || model == "rpng") {
-    read_openvins_intrinsics(file, noise);  // Kalibr's model calibrated has none
+    read_openvins_intrinsics(file, noise);  // Kalibr's model `calibrated` has no intrinsics
   } else {
     file["model"].fail(
         message("model ", model, ", expected calibrated or scale-misalignment (Kalibr), kalibr or rpng (OpenVINS)"));
   }
 }
 
-/// A value of a file as density.
+/// Converts a value of a file to a density.
 double density_of(Estimator estimator, double value, double rate) {
   switch (estimator) {
     case Estimator::vins:

@@ -23,7 +23,7 @@ std::string topic_entry(std::string_view key, const ImuNoise& noise) {
   return message(key, ": ", yaml_string(noise.topic));
 }
 
-// OpenCV's FileStorage knows its files by the first line.
+// OpenCV's FileStorage recognizes its files by the first line.
 constexpr std::string_view file_storage_header = "%YAML:1.0\n---\n";
 
 Lines kalibr_densities(const ImuNoise& noise) {
@@ -121,7 +121,7 @@ Lines orbslam3_entries(const ImuNoise& noise) {
 
 Lines gtsam_entries(const ImuNoise& noise) {
   const auto squared = [](double density) { return density * density; };
-  return {entry("update_rate", noise.update_rate, "Hz, no member: GTSAM takes the step with each sample"),
+  return {entry("update_rate", noise.update_rate, "Hz, not a member: GTSAM takes the time step with each sample"),
           entry("gyroscopeCovariance", squared(noise.gyro_noise_density), "(rad/s)^2/Hz"),
           entry("accelerometerCovariance", squared(noise.accel_noise_density), "(m/s^2)^2/Hz"),
           entry("biasOmegaCovariance", squared(noise.gyro_random_walk), "(rad/s^2)^2/Hz"),

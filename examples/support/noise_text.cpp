@@ -22,7 +22,7 @@ std::string unit_of(NoiseTerm term, SensorKind kind) {
 std::string data_sheet_text(NoiseTerm term, SensorKind kind, double value) {
   const bool gyro = kind == SensorKind::gyro;
   if (term == NoiseTerm::white) {
-    // A random walk is N itself, a noise density is one-sided: docs/noise_densities.md.
+    // In data sheets an angle or velocity random walk is N, but a noise density is one-sided: docs/noise_densities.md.
     const double one_sided = one_sided_density(value);
     return gyro ? formatted("%.4g deg/sqrt(h), one-sided %.4g deg/s/sqrt(Hz)", value / units::degree_per_root_hour,
                             one_sided / units::degree_per_second_per_root_hertz)
@@ -51,17 +51,19 @@ std::string meaning(NoiseTerm term, SensorKind kind, double rate, double value, 
     case NoiseTerm::bias_instability:
       return formatted("no average is better than the floor 0.664 B = %.4g %s", allan_floor(value), unit.c_str());
     case NoiseTerm::quantization:
-      return formatted("the integral is off by %.4g %s, however short the time", value, unit_of(term, kind).c_str());
+      return formatted("the integral has an error of %.4g %s, however short the time", value,
+                       unit_of(term, kind).c_str());
     case NoiseTerm::rate_ramp:
       return formatted("the bias drifts by %.4g %s in an hour, as with temperature", value * units::hour, unit.c_str());
     case NoiseTerm::gauss_markov:
       return formatted(
-          "the bias wanders by %.4g %s and forgets in %.3g s; over shorter times it is a walk of K = %.4g %s", value,
-          unit.c_str(), time, value * std::sqrt(2 / time), unit_of(NoiseTerm::random_walk, kind).c_str());
+          "the bias has a standard deviation of %.4g %s and a correlation time of %.3g s; over shorter times it is a "
+          "random walk of K = %.4g %s",
+          value, unit.c_str(), time, value * std::sqrt(2 / time), unit_of(NoiseTerm::random_walk, kind).c_str());
     case NoiseTerm::warm_up:
       return formatted(
-          "the bias settles by %.4g %s in a time of %.3g s: let it warm up before you record, or leave out "
-          "the beginning (--skip)",
+          "the bias settles by %.4g %s with a time constant of %.3g s: let the sensor warm up before you record, or "
+          "leave out the beginning (--skip)",
           value, unit.c_str(), time);
   }
   return "";
@@ -73,8 +75,8 @@ std::string slow_terms_text(const allan::Description<double>& description, Senso
     if (term == NoiseTerm::white || term == NoiseTerm::quantization || !description.terms.has(term)) continue;
     std::string text = formatted("%s %s = %.3g %s", std::string(name(term)).c_str(), std::string(symbol(term)).c_str(),
                                  description.value(term), unit_of(term, kind).c_str());
-    if (term == NoiseTerm::gauss_markov) text += formatted(" that forgets in %.3g s", description.correlation_time);
-    if (term == NoiseTerm::warm_up) text += formatted(" that settles in %.3g s", description.decay_time);
+    if (term == NoiseTerm::gauss_markov) text += formatted(" correlated over %.3g s", description.correlation_time);
+    if (term == NoiseTerm::warm_up) text += formatted(" with time constant %.3g s", description.decay_time);
     texts.push_back(text);
   }
   return texts.empty() ? "no slow noise" : list_of(texts);

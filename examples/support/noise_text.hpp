@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Noise coefficients as people read them.
+// Noise coefficients as text.
 #pragma once
 
 #include <splinertia/allan/noise_estimates.hpp>
@@ -14,8 +14,8 @@
 /// A coefficient in units of data sheets; "" if they have none.
 [[nodiscard]] std::string data_sheet_text(splinertia::allan::NoiseTerm term, splinertia::SensorKind kind, double value);
 
-/// What a coefficient does, so that one can tell whether it matters. `rate` in Hz; `time` is that of a Gauss–Markov
-/// bias or a warm-up, s.
+/// The effect of a coefficient in words, so that you can tell whether it matters. `rate` is in Hz, `time` the time
+/// constant of a Gauss–Markov bias or a warm-up, s.
 [[nodiscard]] std::string meaning(splinertia::allan::NoiseTerm term, splinertia::SensorKind kind, double rate,
                                   double value, double time);
 

@@ -26,7 +26,7 @@ using namespace splinertia;
 
 namespace {
 
-/// Held by one program at a time. Without effect where the file system has no locks.
+/// A lock on a folder, held by one program at a time. Without effect if the file system has no locks.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder)
@@ -44,10 +44,10 @@ class FolderLock {
   int descriptor_;
 };
 
-/// What a file was when the program wrote it; nothing if a script writes it.
+/// The size and time of a file when the program wrote it; nothing if a script writes it.
 using Written = std::optional<FileSet::Version>;
 
-/// libc++ counts in integers that streams do not know.
+/// The time as std::int64_t, because libc++ counts in 128-bit integers, which streams cannot print.
 std::int64_t nanoseconds_of(std::filesystem::file_time_type time) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
@@ -57,7 +57,7 @@ std::string line_of(const std::string& name, const Written& written) {
   return written ? message(name, ' ', written->size, ' ', nanoseconds_of(written->time), '\n') : name + '\n';
 }
 
-/// A name is there twice if the program was killed before it could replace the file.
+/// A name is listed twice if the program was killed before it replaced the file.
 std::map<std::string, std::vector<Written>> read_list(const std::filesystem::path& path) {
   std::map<std::string, std::vector<Written>> list;
   std::ifstream file(path);
@@ -71,7 +71,7 @@ std::map<std::string, std::vector<Written>> read_list(const std::filesystem::pat
     if (fields >> size >> time) {
       written = {size, std::filesystem::file_time_type(std::chrono::nanoseconds(time))};
     } else if (!fields.eof()) {
-      continue;  // no line of ours
+      continue;  // not a line of this list
     }
     list[name].push_back(written);
   }
@@ -107,10 +107,10 @@ std::filesystem::path OutputFolder::path(std::string_view name) {
   return folder_ / name;
 }
 
-/// The text of the list for as long as files of both runs may be there.
+/// Marks files that only an earlier run wrote for removal. Returns the text of the list while files of both runs exist.
 std::string OutputFolder::list_and_remove_left_over() {
   std::string text =
-      message("# What ", program_, " has written here. Its next run removes what it does not write itself.\n");
+      message("# Files that ", program_, " has written here. Its next run removes those that it does not write.\n");
   std::vector<std::string> removed;
   for (const auto& [name, versions] : read_list(list_)) {
     const auto path = folder_ / name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the programs put the files of a run.
+// The folder for the output files of a run.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,23 @@
 
 #include "support/inputs.hpp"
 
-/// A folder that a program writes a set of files to; what else is in it stays. The hidden file .PROGRAM.files lists
-/// what the program has written there, so that a run removes what an earlier one has left and it does not write itself.
-/// What the run reads it neither replaces nor removes.
+/// A folder that a program writes a set of files to. Other files in it stay. The hidden file .PROGRAM.files lists what
+/// the program has written there. A run removes the files of earlier runs that it does not write itself. It neither
+/// replaces nor removes its inputs.
 class OutputFolder {
  public:
-  /// The folder is made when the first path is asked for.
+  /// The folder is created by the first call of path(name).
   OutputFolder(std::filesystem::path folder, std::string_view program, const Inputs& inputs);
 
-  /// For what is going to be written, before the long work: throws std::invalid_argument if the run reads such a file.
+  /// Checks names of output files before the long work: throws std::invalid_argument if the run reads one of them.
   void expect_no_inputs(std::initializer_list<std::string_view> names) const;
 
-  /// Where this run writes the file of this name. Its writer commits it to files(). Throws std::invalid_argument if the
-  /// run reads that file, std::runtime_error if the folder cannot be made.
+  /// The path for an output file. Its writer commits the file to files(). Throws std::invalid_argument if the run reads
+  /// that file, std::runtime_error if the folder cannot be created.
   [[nodiscard]] std::filesystem::path path(std::string_view name);
 
-  /// NAME.png and NAME.svg, which a script draws after commit(). Those of an earlier run are removed. Throws as path().
+  /// Announces NAME.png and NAME.svg, which a script draws after commit(). Those of an earlier run are removed. Throws
+  /// std::invalid_argument if the run reads one of them.
   void expect_pictures(const std::string& name) {
     expect_no_inputs({name + ".png", name + ".svg"});
     for (const char* form : {".png", ".svg"}) expected_.push_back(name + form);
@@ -36,8 +37,8 @@ class OutputFolder {
   [[nodiscard]] splinertia::FileSet& files() { return files_; }
 
   /// Puts the files in place and returns their names: "imu.csv, groundtruth.csv and poses.tum". Other runs of the
-  /// program wait for each other. Says on standard error which files of earlier runs stay because they have been
-  /// changed or are read.
+  /// program wait for each other. Prints on standard error which files of earlier runs stay because they have been
+  /// changed or are inputs.
   [[nodiscard]] std::string commit();
 
  private:

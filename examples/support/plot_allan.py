@@ -5,7 +5,7 @@
     allan imu.csv --output FOLDER
     plot_allan.py FOLDER             # reads its csv files; needs matplotlib
 
-Above the Allan deviation of each sensor, below the root of its power spectral density.
+The upper panels show the Allan deviation of each sensor, the lower ones the square root of its power spectral density.
 """
 import math
 import textwrap
@@ -16,14 +16,14 @@ from plot_allan_terms import (DOTTED, GUIDE, UNITS, detected_terms, draw_table, 
                               shared_notes, shared_terms, unbroken)
 
 COLOURS = [plotting.BLUE, plotting.RED, plotting.GREEN, plotting.PURPLE, plotting.ORANGE, plotting.SKY]
-ALL, WARNING, NOTE = "black", "#A00000", "0.3"  # the model of all axes; texts
+ALL, WARNING, NOTE = "black", "#A00000", "0.3"  # colours of a model of all axes and of texts
 LEFT_OUT = {"facecolor": "0.45", "edgecolor": "0.35", "linewidth": 0.6}
 MISFIT = {"facecolor": "#F0C000", "edgecolor": "#B89000", "linewidth": 0.6}
 PALE = 0.35
 NOTE_HEIGHT = 13  # points
 CURVE = {"linewidth": 1.8}
 MODEL = {"linewidth": 1.5, "linestyle": (0, (4, 2))}
-WORDS = {  # for one or two findings, for more, their unit
+WORDS = {  # words for one or two findings, words for more, their unit
     "excluded": ("left out", "bands left out", "Hz"),
     "step": ("step at", "steps", "s"),
     "freeze": ("frozen", "frozen spans", "s"),
@@ -32,7 +32,7 @@ WORDS = {  # for one or two findings, for more, their unit
 
 
 class Style:
-    """What axes look like in every panel."""
+    """The colours and labels of axes, the same in every panel."""
 
     def __init__(self, names):
         import matplotlib.colors
@@ -47,7 +47,7 @@ def of_axis(findings, axis, *kinds):
 
 
 def parts(x, y, strong):
-    """The line where it is strong, and the rest up to the points where that begins: y with breaks."""
+    """Splits a line into its strong part and the rest, as (y with breaks, alpha). The rest reaches the strong part."""
     import numpy
     rest = ~strong
     beside = rest.copy()
@@ -67,7 +67,7 @@ def draw_values(plot, x, y, lower, upper, colour):
 
 
 def draw_models(plot, lines, style):
-    """Of each axis x, y, and where it was fitted; lines that all axes share as one."""
+    """Draws the model of each axis: x, y, and where it was fitted. If all axes share one model, it is drawn once."""
     import numpy
     first = next(iter(lines.values()), None)
     same = len(lines) > 1 and all(all(numpy.array_equal(a, b, equal_nan=True) for a, b in zip(first, other))
@@ -78,7 +78,8 @@ def draw_models(plot, lines, style):
 
 
 def shade(plot, axes, findings, kinds, span, style):
-    """Spans of x, the darker the more axes have them. Open ones go to the edge of the panel."""
+    """Shades spans of x, darker if more axes have them. Open spans go to the edge of the panel. Returns whether any is
+    drawn."""
     left, right = plot.get_xlim()
     drawn = False
     for axis in axes:
@@ -96,7 +97,7 @@ def frequencies(finding):
 
 
 def times(finding):
-    """What has the frequency f shows in the deviation at about 1/(2f)."""
+    """The averaging times of a band. A frequency f shows in the deviation at about 1/(2f)."""
     low, high = frequencies(finding)
     return 1 / (2 * high), 1 / (2 * low) if low > 0 else math.inf
 
@@ -124,7 +125,7 @@ def draw_scales(plot, window, x_label, y_label):
 
 
 def draw_deviation(plot, sensor, axes, noise, findings, style):
-    """Returns the labels of terms with the points that they should not hide, and which kinds of spans are there."""
+    """Returns the labels of terms, the points that they should not cover, and which kinds of spans are drawn."""
     terms = shared_terms(noise)
     detected = detected_terms(terms)
     window = limits_of(axes, detected)
@@ -144,12 +145,12 @@ def draw_spectrum(plot, axes, noise, findings, style):
     import numpy
     every = numpy.concatenate(list(axes.values()), axis=1)
     frequency, density, lower, upper = every[:4]
-    # A few uncertain values far down are nothing to look at.
+    # The window does not extend to a few uncertain values far down.
     bottom = min(numpy.percentile(density, 5), lower.min(where=upper < 2 * lower, initial=math.inf))
     margin = max((frequency.max() / frequency.min()) ** 0.03, 1.1)
     unit = next((terms["N"].unit for terms in noise.values() if "N" in terms), "")
     top = numpy.minimum(upper, density * 3).max()
-    # At least two decades, because powers of ten have labels.
+    # At least two decades, because only powers of ten have labels.
     middle, half = math.sqrt(bottom * top), max(1.4 * math.sqrt(top / bottom), 10)
     window = frequency.min() / margin, frequency.max() * margin, middle / half, middle * half
     draw_scales(plot, window, "frequency (Hz)", f"√PSD, two-sided\n({unit})" if unit else "√PSD, two-sided")
@@ -160,7 +161,7 @@ def draw_spectrum(plot, axes, noise, findings, style):
 
 
 def together(axes, style, text_of):
-    """Axes that have the same text in one: "x, y: text"."""
+    """Texts of axes; axes with the same text share one: "x, y: text"."""
     groups = {}
     for axis in axes:
         if text := text_of(axis):
@@ -184,7 +185,7 @@ def findings_text(kind, found):
 
 
 def notes_of(axes, noise, findings, style, width):
-    """Lines over a panel, each with its colour."""
+    """The lines above a panel, each with its colour."""
     adequacy = {axis: next(iter(terms.values())).adequacy for axis, terms in noise.items()}
 
     def text_of(axis):
@@ -219,7 +220,7 @@ def legend_entries(style, shaded, models, terms):
 
 
 def layout(curves, spectrum, tables):
-    """A figure, and of each sensor its panels from above: the deviation, the spectrum and the table, if there is one."""
+    """A figure, and for each sensor its panels from top to bottom: deviation, and spectrum and table if there are."""
     import matplotlib.figure
     heights = [4.6]
     if any(spectrum.values()):
@@ -235,7 +236,7 @@ def layout(curves, spectrum, tables):
 
 
 def write_notes(plot, sensor, notes, height):
-    """The title of a panel, with room for so many lines, and the lines."""
+    """Writes the title of a panel, with room for `height` lines below it, and the lines."""
     plot.set_title(sensor.capitalize(), loc="left", fontsize=13, pad=8 + NOTE_HEIGHT * height)
     for i, (text, colour) in enumerate(notes, 1):
         plot.annotate(text, (0, 1), xycoords="axes fraction", xytext=(0, 5 + NOTE_HEIGHT * (height - i)),
@@ -269,7 +270,7 @@ def draw(curves, noise, spectrum, title, findings):
     figure.legend(handles=entries, loc="outside lower center", ncols=math.ceil(len(entries) / rows), frameon=False)
     if title:
         figure.suptitle(textwrap.shorten(title, 110, placeholder=" …"), x=0.01, ha="left", fontsize=12, parse_math=False)
-    figure.draw_without_rendering()  # now everything has its size
+    figure.draw_without_rendering()  # sets all sizes
     for plot, labels, points in labelled:
         place_labels(plot, labels, points)
     return figure
@@ -281,4 +282,4 @@ def draw_folder(folder):
 
 
 if __name__ == "__main__":
-    plotting.run_on_folder(__doc__, "with the csv files of allan, where the pictures go", "allan", draw_folder)
+    plotting.run_on_folder(__doc__, "folder with the csv files of allan, also for the pictures", "allan", draw_folder)

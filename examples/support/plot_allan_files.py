@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads what the example program allan wrote into a folder."""
+"""Reads the csv files of the example program allan."""
 import csv
 import dataclasses
 import math
@@ -39,7 +39,7 @@ class Finding:
 
 
 def read(path, *headers, empty=False):
-    """The rows as dictionaries, of a file that has one of the headers."""
+    """The rows of a file with one of the headers, as dictionaries."""
     rows, names = [], []
     with open(path, newline="", encoding="utf-8", errors="replace") as file:
         for count, row in enumerate(csv.reader(file), 1):
@@ -93,7 +93,7 @@ def fitted_or_nan(row):
 
 
 def by_axis(rows, columns):
-    """Of each sensor the axes, of each axis the columns as arrays; columns(row) is None where nothing is to be drawn."""
+    """{sensor: {axis: columns as arrays}}. columns(row) is None if the row is not to be drawn."""
     import numpy
     sensors = {}
     for row in rows:
@@ -104,7 +104,7 @@ def by_axis(rows, columns):
     def thinned(values):
         kept = []
         for point in sorted(values):
-            # 200 points a decade are more than anybody sees.
+            # 200 points per decade are enough for a plot.
             if not kept or point[0] > kept[-1][0] * 10**0.005:
                 kept.append(point)
         return numpy.array(kept).T
@@ -113,11 +113,11 @@ def by_axis(rows, columns):
 
 
 def read_curves(path):
-    """Of each sensor the axes, of each axis the rows tau, deviation, lower, upper, fitted."""
+    """{sensor: {axis: the rows tau, deviation, lower, upper, fitted}}."""
     def columns(row):
         tau, lower, upper = positive(row, "tau"), number(row, "lower"), number(row, "upper")
         deviation, fitted = not_negative(row, "deviation"), fitted_or_nan(row)
-        if deviation == 0:  # has no place on a logarithmic scale
+        if deviation == 0:  # cannot be drawn on a logarithmic scale
             return None
         return tau, deviation, max(deviation / 100, lower), min(deviation * 100, upper), fitted
 
@@ -130,8 +130,8 @@ def read_curves(path):
 
 
 def read_spectrum(path):
-    """Of each sensor the axes, of each axis the rows frequency, density, lower, upper, fitted, used. No sensors if there
-    is no such file. Squared densities are chi-square distributed; the quantiles of 68 % are Wilson and Hilferty's."""
+    """{sensor: {axis: the rows frequency, density, lower, upper, fitted, used}}; empty if there is no such file.
+    Squared densities are chi-square distributed; their 68 % quantiles are the approximation of Wilson and Hilferty."""
     def columns(row):
         frequency, density, fitted = positive(row, "frequency"), not_negative(row, "density"), fitted_or_nan(row)
         count, used = positive(row, "count"), one_of(row, "used", ["0", "1"])
@@ -148,7 +148,7 @@ def read_spectrum(path):
 
 
 def read_noise(path):
-    """Of each sensor the axes, of each axis the terms by their names."""
+    """{sensor: {axis: {name: term}}}."""
     sensors = {}
     for row in read(path, NOISE, OLD_NOISE):
         name = one_of(row, "term", TERMS)
@@ -164,7 +164,7 @@ def read_noise(path):
 
 
 def read_findings(path):
-    """The title, and of each sensor the findings that are drawn. Nothing if there is no such file."""
+    """The title, and {sensor: findings that are drawn}. Both are empty if there is no such file."""
     title, sensors = "", {}
     if not path.exists():
         return title, sensors

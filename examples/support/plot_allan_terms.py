@@ -5,7 +5,7 @@ import math
 
 from plot_allan_files import STATUSES, TERMS
 
-# The Allan deviation that a coefficient of 1 gives at 1 s, and its slope; so it can be read off the line at the time
+# The Allan deviation of a coefficient of 1 at 1 s, and the slope. A coefficient can be read off its line at the time
 # where the line has the coefficient's value.
 LINES = {
     "Q": (math.sqrt(3), -1),
@@ -14,7 +14,7 @@ LINES = {
     "K": (1 / math.sqrt(3), 0.5),
     "R": (1 / math.sqrt(2), 1),
 }
-SIDES = {  # of the point on the line where its text may stand, the best first
+SIDES = {  # where the label may be relative to the point on the line, the best first
     "Q": ["lower left", "upper right", "upper left", "lower right"],
     "N": ["upper right", "lower left", "upper left", "lower right"],
     "B": ["upper right", "lower right"],
@@ -23,8 +23,8 @@ SIDES = {  # of the point on the line where its text may stand, the best first
     "G": ["upper left", "upper right", "lower right", "lower left"],
 }
 DEGREE, MICRO_G = math.pi / 180, 9.80665e-6
-FLOOR = math.sqrt(2 * math.log(2) / math.pi)  # of the curve over B, which data sheets call bias instability
-FAMILIAR = {  # what data sheets write
+FLOOR = math.sqrt(2 * math.log(2) / math.pi)  # floor of the curve/B; data sheets call the floor bias instability
+FAMILIAR = {  # units of data sheets
     ("gyroscope", "N"): (DEGREE / 60, "°/√h"),
     ("gyroscope", "B"): (DEGREE / 3600 / FLOOR, "°/h, floor"),
     ("accelerometer", "N"): (1 / 60, "m/s/√h"),
@@ -32,11 +32,11 @@ FAMILIAR = {  # what data sheets write
 }
 UNITS = {"gyroscope": "rad/s", "accelerometer": "m/s²"}
 GUIDE, DOTTED = "0.45", (0, (1, 1.5))
-WIDEST_TABLE = 6.7  # in columns of one number
+WIDEST_TABLE = 6.7  # in widths of a column with one number
 
 
 def shared_terms(axes):
-    """Those that all axes have in common, {} if there are none."""
+    """The terms that all axes have in common, {} if there are none."""
     return axes.get("all") or (next(iter(axes.values())) if len(axes) == 1 else {})
 
 
@@ -53,13 +53,13 @@ def figures(value, count):
 
 
 def familiar_unit(sensor, term):
-    """What a coefficient of 1 is in the unit of data sheets, and its name."""
+    """The value of a coefficient of 1 in the unit of data sheets, and the name of this unit."""
     size, unit = FAMILIAR.get((sensor, term.name), (1, ""))
     return (1 / size, unit) if term.unit.startswith(UNITS.get(sensor, term.unit)) else (1, "")
 
 
 def value_text(term, unit=""):
-    """The value of a detected term, or the limit of another one; and its time."""
+    """The value of a detected term or the limit of another one, and its time if it has one."""
     detected = term.status == "detected"
     number = term.value if detected else term.limit
     if not math.isfinite(number):
@@ -75,12 +75,12 @@ def estimate_text(sensor, term):
 
 
 def unbroken(text):
-    """With spaces at which no line ends."""
+    """The text with no-break spaces."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 
 
 def shared_notes(terms):
-    """Lines about shared terms that have no line in the plot."""
+    """Notes about shared terms that have no line in the plot."""
     def listed(status, title, text):
         texts = [unbroken(text(term)) for term in terms.values() if term.status == status]
         return [f"{title}: {', '.join(found)}"] if (found := list(filter(None, texts))) else []
@@ -103,15 +103,15 @@ def gauss_markov_deviation(term, tau):
 
 
 def reading_point(term):
-    """Where the coefficient is read off its line: averaging time and deviation; the time of a flat one is None."""
-    if term.name == "G":  # the top, about 0.62 of the standard deviation
+    """Where the coefficient is read off its line: averaging time and deviation. The time is None for a flat line."""
+    if term.name == "G":  # the maximum, about 0.62 of the standard deviation
         return 1.89 * term.time, gauss_markov_deviation(term, 1.89 * term.time)
     factor, slope = LINES[term.name]
     return (factor ** (-1 / slope), term.value) if slope else (None, factor * term.value)
 
 
 def limits_of(axes, detected):
-    """The window: all of the curves, and of the points where coefficients are read what is near."""
+    """The window: it contains the curves, and the points where coefficients are read if they are near."""
     taus = [tau for values in axes.values() for tau in values[0]]
     lows = [max(low, deviation / 3) for values in axes.values() for deviation, low in zip(values[1], values[2])]
     highs = [min(high, deviation * 3) for values in axes.values() for deviation, high in zip(values[1], values[3])]
@@ -129,7 +129,7 @@ def limits_of(axes, detected):
 
 
 def draw_terms(plot, sensor, detected, window):
-    """Their lines, and their labels, which are returned."""
+    """Draws the lines and the labels of the terms. Returns the labels."""
     left, right, bottom, top = window
     labels = []
     for term in detected:
@@ -152,7 +152,7 @@ def draw_terms(plot, sensor, detected, window):
             at = min(max(at, left), right)
             height = gauss_markov_deviation(term, at)
         else:
-            # Where the line is low in the window.
+            # A point where the line is low in the window.
             height = bottom * (top / bottom) ** 0.2
             at = min(max((height / (factor * term.value)) ** (1 / slope), left), right)
             height = factor * term.value * at**slope
@@ -165,7 +165,8 @@ def draw_terms(plot, sensor, detected, window):
 
 
 def place_labels(plot, labels, points):
-    """Each label on the side of its point where it covers no other label, stays inside and hides the least curve."""
+    """Puts each label on the side of its point where it covers no other label, stays inside and hides the least of the
+    curves."""
     points = plot.transData.transform(points)
     taken = []
 
@@ -187,7 +188,7 @@ def place_labels(plot, labels, points):
 
 
 def table_columns(sensor, axes):
-    """Name, unit and width of each column, the text of a term in it; first of what was detected, at most what fits."""
+    """(name, unit, width, function for the text of a term) of each column: detected terms first, as many as fit."""
     columns = []
     for status in "detected", "possible":
         for name in TERMS:
@@ -213,7 +214,7 @@ def table_columns(sensor, axes):
 
 
 def draw_table(plot, sensor, axes, colours, labels):
-    """Detected and possible terms, an axis a row; possible ones have a question mark."""
+    """Draws a table of the detected and possible terms, one row per axis. Possible terms have a question mark."""
     plot.set_axis_off()
 
     def write(place, row, text, **style):

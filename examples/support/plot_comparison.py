@@ -16,7 +16,7 @@ ERRORS = ("#timestamp [ns],reference_x [m],reference_y [m],reference_z [m],estim
 
 
 def read(path):
-    """Seconds from the first pair on, and the other columns."""
+    """The times in seconds from the first pair, and the other columns."""
     import numpy
     times, rows = [], []
     with open(path, encoding="utf-8", errors="replace") as file:
@@ -40,14 +40,14 @@ def read(path):
 
 
 def gaps(time):
-    """The rows before which pairs are missing: a line is broken there."""
+    """The rows before which pairs are missing. Lines are broken there."""
     import numpy
     steps = numpy.diff(time)
     return numpy.flatnonzero(steps > 10 * numpy.median(steps)) + 1 if len(steps) else []
 
 
 def draw_path(plot, rows, breaks, vertical):
-    """Seen from above (vertical: 1), or from the side (2): the reference, and the estimate coloured by its error."""
+    """Draws the reference, and the estimate coloured by its error, from above (vertical: 1) or from the side (2)."""
     import matplotlib.collections
     import numpy
     reference, estimate, error = rows[:, [0, vertical]], rows[:, [3, 3 + vertical]], rows[:, 6]
@@ -120,9 +120,9 @@ def draw_to(picture, errors, title):
 
 def main():
     arguments = plotting.parser(__doc__)
-    arguments.add_argument("errors", type=pathlib.Path, help="that compare_trajectories --errors has written")
-    arguments.add_argument("picture", type=pathlib.Path, help="to be written: .png or .svg")
-    arguments.add_argument("--title", default="", help="above the picture")
+    arguments.add_argument("errors", type=pathlib.Path, help="file written by compare_trajectories --errors")
+    arguments.add_argument("picture", type=pathlib.Path, help="file to write: .png or .svg")
+    arguments.add_argument("--title", default="", help="title of the picture")
     with standard_output.checked(plotting.script_name()):
         given = arguments.parse_args()
         if given.picture.suffix not in (".png", ".svg"):

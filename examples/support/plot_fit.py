@@ -21,7 +21,7 @@ SAMPLES = ("#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x
            "accel_residual_x [m/s^2],accel_residual_y [m/s^2],accel_residual_z [m/s^2],invented")
 COLOURS = [plotting.BLUE, plotting.ORANGE, plotting.GREEN]  # of the axes
 OUTLIER = plotting.RED
-MOST_POINTS = 1600  # that a line has room for
+MOST_POINTS = 1600  # of a line, enough for its pixels
 
 
 def read(path, header):
@@ -55,7 +55,7 @@ def seconds(times, start):
 
 
 def thinned(time, values):
-    """The lowest and the highest of each stretch of time, which look like all of them."""
+    """Keeps the minimum and the maximum of each block of samples, so that the line looks the same."""
     import numpy
     stretch = -(-2 * len(time) // MOST_POINTS)
     if stretch <= 2:
@@ -70,7 +70,7 @@ def thinned(time, values):
 
 
 def broken(time, values, gaps):
-    """The same with a break in each gap that has no values, so that no line is drawn across it."""
+    """Adds a break in each gap that has no values, so that no line is drawn across it."""
     import numpy
     middles = numpy.array([(begin + end) / 2 for begin, end in gaps
                            if not ((time > begin + 1e-6) & (time < end - 1e-6)).any()])
@@ -79,7 +79,7 @@ def broken(time, values, gaps):
 
 
 def smooth(values, width):
-    """Columns through a window (Hann) of so many samples, without delay; at the ends what is there is its mean."""
+    """Low-passes the columns with a Hann window of `width` samples, without delay. It is shorter at the ends."""
     import numpy
     width = max(1, min(int(width) | 1, len(values) - 1 | 1))
     window = numpy.hanning(width + 2)[1:-1]
@@ -88,7 +88,7 @@ def smooth(values, width):
 
 
 def knot_interval(folder):
-    """s: of uniform knots; else the median of the segments."""
+    """The interval of uniform knots, s; the median length of the segments of others."""
     import numpy
     header = (folder / "control_points.csv").read_text(encoding="utf-8", errors="replace")[:2000]
     found = re.search(r"^# interval \[ns\]: (\d+)$", header, re.MULTILINE)
@@ -100,7 +100,7 @@ def knot_interval(folder):
 
 
 def title_of(folder):
-    """The lines of report.txt on poses, spline and knots, short."""
+    """A title from the lines of report.txt on poses, spline and knots."""
     try:
         lines = (folder / "report.txt").read_text(encoding="utf-8", errors="replace").splitlines()
     except OSError:
@@ -114,7 +114,7 @@ def title_of(folder):
 
 
 def usual_size(values, share):
-    """That so large a share is below of."""
+    """The magnitude below which the fraction `share` of the values is; never 0."""
     import numpy
     size = numpy.abs(values)
     usual = float(numpy.quantile(size, share)) if size.size else 0
@@ -122,18 +122,19 @@ def usual_size(values, share):
 
 
 def draw_residuals(plot, side, time, values, outliers, gaps, unit, share=0.995):
-    """One row: over time, and how they are distributed. Where some lie far off, the scale is logarithmic outside."""
+    """Draws one row: residuals over time, and their distribution. With far outliers the scale is logarithmic beyond a
+    limit."""
     import numpy
     inner = values[~outliers] if (~outliers).any() else values
     usual, largest = usual_size(inner, share), float(numpy.abs(values).max(initial=0))
     limit = 1.6 * usual
     for i, colour in enumerate(COLOURS):
         plot.plot(*broken(*thinned(time, values[:, i]), gaps), color=colour, linewidth=0.7, zorder=3, alpha=0.9)
-    places = numpy.flatnonzero(outliers & (numpy.abs(values).max(axis=1) > usual))  # others are off in something else
+    places = numpy.flatnonzero(outliers & (numpy.abs(values).max(axis=1) > usual))  # of this row, not the other
     worst = values[places, numpy.abs(values[places]).argmax(axis=1)] if places.size else numpy.empty(0)
     plot.plot(time[places], worst, ".", color=OUTLIER, markersize=3.5, zorder=4, markeredgewidth=0)
     if largest > 3 * limit:
-        # Round numbers on the border, so that it can be named.
+        # The limit is a round number, because it gets a tick label.
         power = 10 ** numpy.floor(numpy.log10(limit))
         limit = float(power * next(round_number for round_number in (1, 2, 5, 10) if round_number * power >= limit))
         plot.set_yscale("symlog", linthresh=limit, linscale=1.6)
@@ -209,7 +210,7 @@ def draw(folder):
         derived_times, derived = read(folder / "derived_imu.csv", DERIVED)
         derived_time, derived = seconds(derived_times, start), numpy.array(derived)
 
-    # Where knots have nothing between them, whether or not their neighbours hold the curve.
+    # Gaps between poses of more than two knot intervals, whether or not neighbouring poses determine the curve there.
     interval = knot_interval(folder)
     sparse = numpy.flatnonzero(numpy.diff(time) > 2 * interval)
     gaps += [(time[i], time[i + 1]) for i in sparse
@@ -233,7 +234,7 @@ def draw(folder):
         low_pass = ""
     else:
         imu_time, values = imu
-        # The window ends where the curve does: half a wave of the fastest swing that its knots follow.
+        # The low-pass cuts off where the curve does, at half a period per knot interval.
         rate = 1 / float(numpy.median(numpy.diff(imu_time)))
         width = max(3, 4 * interval * rate)
         curve, residual = values[:, :6], values[:, 6:12]
@@ -256,7 +257,7 @@ def draw(folder):
     span = time[-1] - time[0]
     plots[0].set_xlim(-0.01 * span, 1.01 * span)
     plots[-1].set_xlabel("time from the first pose (s)")
-    for plot in plots[:2]:  # where outliers are, to be found at a glance
+    for plot in plots[:2]:  # marks of outliers at the lower edge
         plot.plot(time[outliers], numpy.full(outliers.sum(), 0.015), "|", color=OUTLIER, markersize=5,
                   transform=plot.get_xaxis_transform(), zorder=5)
     figure.suptitle(title_of(folder), x=0.01, ha="left", fontsize=12)
@@ -282,4 +283,4 @@ def draw(folder):
 
 
 if __name__ == "__main__":
-    plotting.run_on_folder(__doc__, "that fit_trajectory has written to, where the pictures go", "fit", draw)
+    plotting.run_on_folder(__doc__, "output folder of fit_trajectory, also for the pictures", "fit", draw)

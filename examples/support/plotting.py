@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the plotting scripts share: colours, errors in one line, and pictures that are there complete or not at all."""
+"""Shared by the plotting scripts: colours, errors in one line, and pictures that are complete or not written at all."""
 import argparse
 import os
 import pathlib
@@ -9,7 +9,7 @@ import sys
 
 import standard_output
 
-# Okabe and Ito's colours, which look different to everybody.
+# The colours of Okabe and Ito, which people with colour vision deficiency can tell apart.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
 
 
@@ -22,8 +22,8 @@ def parser(description):
 
 
 def save(figure, picture):
-    """In the form that the suffix of the path names. As the programs write: links are followed, permissions stay, what is
-    read-only or no file is refused."""
+    """Writes the figure in the format of the path's suffix. As in the programs, links are followed, permissions are
+    kept, and a target that is read-only or not a regular file is rejected."""
     form = picture.suffix[1:]
     target = pathlib.Path(os.path.realpath(picture))
     old = target.stat() if target.exists() else None
@@ -31,7 +31,7 @@ def save(figure, picture):
         raise Failure(f"{picture}: exists and is not a regular file")
     if old and not (old.st_mode & 0o222 and os.access(target, os.W_OK)):
         raise Failure(f"{picture}: is read-only")
-    temporary = target.with_name(f".splinertia.{os.getpid()}.tmp")  # short: names can be as long as they may
+    temporary = target.with_name(f".splinertia.{os.getpid()}.tmp")  # short, because names have a maximum length
     try:
         figure.savefig(temporary, format=form, metadata={"Date": None} if form == "svg" else None)
         if old:
@@ -47,13 +47,13 @@ def script_name():
 
 def run(work):
     """Calls work(), which draws. A Failure or a file that cannot be used ends the script with one line and code 2."""
-    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # not before save() has tidied up
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # so that save() removes its temporary file
     try:
         try:
             import matplotlib
         except ImportError:
             raise Failure("needs the Python package matplotlib (pip install matplotlib)") from None
-        matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
+        matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # reproducible
         work()
         return
     except Failure as failure:
@@ -65,10 +65,11 @@ def run(work):
 
 
 def run_on_folder(description, folder_help, name, draw):
-    """A script with the arguments FOLDER and --output NAME: draw(folder) becomes FOLDER/NAME.png and FOLDER/NAME.svg."""
+    """A script with the arguments FOLDER and --output NAME: writes draw(folder) to FOLDER/NAME.png and NAME.svg."""
     arguments = parser(description)
     arguments.add_argument("folder", type=pathlib.Path, help=folder_help)
-    arguments.add_argument("--output", default=name, metavar="NAME", help="of the pictures, without .png (%(default)s)")
+    arguments.add_argument("--output", default=name, metavar="NAME",
+                           help="name of the pictures, without .png (%(default)s)")
 
     def work(given):
         figure = draw(given.folder)

@@ -6,7 +6,7 @@
     pose_bag.py log_folder --topic /odometry    # ROS 2
 
 Messages may be nav_msgs/Odometry and geometry_msgs/PoseStamped, PoseWithCovarianceStamped and TransformStamped. Times are
-those of the message headers, not of their arrival; they and all numbers keep every bit. One line a message, in their order.
+those of the message headers, not of their arrival; they and all numbers keep every bit. One line per message, in order.
 """
 import argparse
 import pathlib
@@ -15,7 +15,7 @@ import sys
 import standard_output
 from bag_files import Failure, choose_topic, guarded, import_rosbags, opened, run
 
-# How the position and the quaternion are reached from a message of each type.
+# The position and the quaternion of a message of each type.
 TYPES = {
     "nav_msgs/msg/Odometry": lambda m: (m.pose.pose.position, m.pose.pose.orientation),
     "geometry_msgs/msg/PoseStamped": lambda m: (m.pose.position, m.pose.orientation),
@@ -42,7 +42,7 @@ def print_poses(arguments, progress):
             try:
                 message = decode(data, connection.msgtype)
             except Exception as error:
-                raise Failure(f"{path}: message {count} of {topic} is no {connection.msgtype}: {error}") from None
+                raise Failure(f"{path}: message {count} of {topic} is not a {connection.msgtype}: {error}") from None
             stamp = message.header.stamp
             p, q = TYPES[connection.msgtype](message)
             values = ",".join(repr(float(value)) for value in (p.x, p.y, p.z, q.x, q.y, q.z, q.w))
@@ -55,7 +55,7 @@ def print_poses(arguments, progress):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("input", help="log.bag (ROS 1), log.mcap, log.db3 or a folder (ROS 2)")
-    parser.add_argument("--topic", help="needed if there are several with poses")
+    parser.add_argument("--topic", help="topic to read, needed if there are several with poses")
     with standard_output.checked("pose_bag.py"):
         run("pose_bag.py", print_poses, parser.parse_args(), standard_output.NAME)
 

@@ -77,6 +77,6 @@ std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& 
     lines.back() += formatted(" (%zu pose%s, up to %.2g m, %.2g rad)", run.count, run.count == 1 ? "" : "s",
                               run.position, run.rotation);
   }
-  if (all > most) lines.push_back(formatted("and in %zu more runs, which are less far off", all - most));
+  if (all > most) lines.push_back(formatted("and in %zu more runs with smaller deviations", all - most));
   return lines;
 }

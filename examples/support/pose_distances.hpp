@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Poses of a file, and how far a curve is from them.
+// Poses of a file, and the residuals of a curve.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,22 +14,22 @@ using Poses = std::vector<splinertia::Stamped<splinertia::SO3xR3<double>>>;
 
 [[nodiscard]] std::chrono::nanoseconds longest_interval(const Poses& poses);
 
-/// How far a curve is from each pose: in position in the world [m], in rotation in the body of the pose [rad].
+/// Curve minus pose: the position in the world frame [m], the rotation in the body frame of the pose [rad].
 struct PoseDistances {
   std::vector<Eigen::Vector3d> rotation{}, position{};
 };
 
-/// `curve`: its values at the times of the poses.
+/// The residuals of a curve; `curve` has its values at the times of the poses.
 [[nodiscard]] PoseDistances distances(const Poses& curve, const Poses& poses);
 
 /// RMS and largest length of vectors.
 struct Lengths {
   double rms = 0, max = 0;
 };
-/// Of all but some, whose indices ascend.
+/// Of all vectors except those with the indices `but`, which ascend.
 [[nodiscard]] Lengths lengths(const std::vector<Eigen::Vector3d>& vectors, const std::vector<std::size_t>& but = {});
 
 /// The outliers, in lines like "79.330 - 79.385 s (12 poses, up to 0.031 m, 0.002 rad)", in seconds from the first
-/// pose. Runs with at most five poses between are one. Of more than `most` the worst are named.
+/// pose. Runs with at most five poses between them are merged. If there are more than `most`, the worst are listed.
 [[nodiscard]] std::vector<std::string> outlier_lines(const Poses& poses, const PoseDistances& distances,
                                                      const std::vector<std::size_t>& outliers, std::size_t most);

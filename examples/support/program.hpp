@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What every program with options does around its work.
+// The frame of every program with options.
 #pragma once
 
 #include <CLI/CLI.hpp>
 
 #include "support/exit_code.hpp"
 
-/// Parses the options and does the work. Exit codes: 0 done, 1 output is lost, 2 bad input or usage, 3 not accepted.
+/// Parses the options and calls work(). Exit codes: 0 done, 1 output is lost, 2 bad input or usage, 3 not accepted.
 [[nodiscard]] int run_program(const char* name, CLI::App& app, int argc, char** argv, const auto& work) {
   return run_program(name, [&] {
     try {

@@ -8,8 +8,7 @@
 #include <cstdio>
 #include <string>
 
-/// A bar on standard error, for a person who waits: only on a terminal, and only once the work takes longer than a
-/// second.
+/// A progress bar on standard error: only on a terminal, and only if the work takes longer than a second.
 class Progress {
  public:
   explicit Progress(std::size_t total) : total_(total), watched_(isatty(STDERR_FILENO) == 1) {}
@@ -21,7 +20,7 @@ class Progress {
 
   void advance(std::size_t amount = 1) {
     done_ += amount;
-    // Looking at the clock is not free; once in a thousand steps is often enough.
+    // Reading the clock has a cost, so it is read once in 1024 steps.
     if (++steps_ % 1024 != 0 || !watched_) return;
     const auto now = Clock::now();
     if (now < next_) return;
@@ -46,7 +45,7 @@ class Progress {
   Clock::time_point next_ = start_ + std::chrono::seconds(1);
 };
 
-/// What is being done, where it cannot be said how much of it is left; likewise on standard error, on a terminal only.
+/// Shows what is being done, for work of unknown length. Also on standard error, and only on a terminal.
 class Stage {
  public:
   explicit Stage(const char* what) : watched_(isatty(STDERR_FILENO) == 1) {

@@ -26,7 +26,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 std::filesystem::path beside_this_program(const std::string& name) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw std::runtime_error(message("cannot find out where this program lies: ", error.message()));
+  if (error) throw std::runtime_error(message("cannot find the folder of this program: ", error.message()));
   return program.parent_path() / name;
 }
 
@@ -76,7 +76,7 @@ PythonScript::PythonScript(const std::string& python, const std::string& name,
 }
 
 PythonScript::~PythonScript() {
-  // Whoever writes to a pipe that nobody reads ends.
+  // A script that writes to the closed pipe ends.
   if (pipe_ >= 0) ::close(pipe_);
   if (process_ >= 0) ::waitpid(process_, nullptr, 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Python scripts that lie beside the programs: ROS bags and plots are Python's.
+// Runs the Python scripts beside the programs, which read ROS bags and draw plots.
 #pragma once
 
 #include <sys/types.h>
@@ -10,18 +10,18 @@
 
 #include "support/exit_code.hpp"
 
-/// Which Python: the environment variable SPLINERTIA_PYTHON, or python3.
+/// The Python interpreter: the environment variable SPLINERTIA_PYTHON, or python3.
 [[nodiscard]] std::string default_python();
 
-/// Whether a path is that of a ROS bag, by its ending: .bag, .mcap, .db3; or it is a folder.
+/// Whether a path is a ROS bag: it ends in .bag, .mcap or .db3, or is a folder.
 [[nodiscard]] bool is_ros_bag(const std::filesystem::path& path);
 
-/// A script that has said on standard error, in one line, what is wrong.
+/// A script has failed and has printed the reason on standard error, in one line.
 struct ScriptFailed : AlreadyReported {
   using AlreadyReported::AlreadyReported;
 };
 
-/// A script that runs beside this program. No shell is between, so that no argument means anything but itself.
+/// A script that runs beside this program. It is started without a shell, so no character of an argument is special.
 class PythonScript {
  public:
   /// Starts examples/support/NAME.py, which the build puts beside the executable. Throws std::runtime_error if Python

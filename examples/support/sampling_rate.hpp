@@ -4,8 +4,8 @@
 #include <splinertia/detail/message.hpp>
 #include <stdexcept>
 
-/// Throws std::invalid_argument, naming the option --rate, for a rate in Hz that the clock of files, in nanoseconds,
-/// cannot tell apart, and for a billion samples or more over so many seconds.
+/// Throws std::invalid_argument that names --rate for a rate (Hz) that is not positive or too high for stamps in whole
+/// nanoseconds, and for a billion samples or more in `duration` seconds.
 inline void check_sampling_rate(double rate, double duration) {
   if (!(rate > 0 && rate <= 1e9)) {
     throw std::invalid_argument(splinertia::message(

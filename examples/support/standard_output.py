@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Lost standard output is an error of the scripts, too: exit code 1, as in the programs."""
+"""Makes lost standard output an error of the scripts: exit code 1, as in the programs."""
 import contextlib
 import os
 import sys
@@ -9,9 +9,9 @@ NAME = "standard output"
 
 @contextlib.contextmanager
 def checked(script):
-    """Writes out what the block has printed. If that is lost the script exits with 1 and says why; not to a closed pipe,
-    whose reader has left."""
-    if sys.stdout is None:  # closed; print() would drop everything in silence
+    """Flushes what the block has printed. If output is lost, the script exits with code 1 and prints the reason, unless
+    the reader has closed the pipe."""
+    if sys.stdout is None:  # closed; print() would silently drop everything
         sys.stdout = os.fdopen(os.open(os.devnull, os.O_RDONLY), "w")
     # Buffered in any case, because argparse ignores errors of unbuffered writes.
     sys.stdout = open(sys.stdout.fileno(), "w", encoding=sys.stdout.encoding, errors=sys.stdout.errors, closefd=False)

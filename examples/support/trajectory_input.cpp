@@ -15,7 +15,7 @@ using namespace splinertia;
 
 namespace {
 
-/// Sets a value by its name; only the names are shown.
+/// Adds an option that sets a value by its name; --help shows only the names.
 template <typename Value, typename Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
                         const std::map<std::string, Value>& choices, const std::string& text) {
@@ -30,7 +30,7 @@ TrajectoryFile read_bag(const TrajectoryInput& input) {
   if (f.kind != TrajectoryFormat::Kind::automatic || !f.columns.empty() || f.quaternion_order || f.time_unit ||
       f.rate || !f.times.empty()) {
     throw std::invalid_argument(
-        message(input.file.string(), ": a ROS bag, expected no options but --topic and ", "--skip-bad-rows"));
+        message(input.file.string(), ": a ROS bag, expected no options except --topic and ", "--skip-bad-rows"));
   }
   std::vector<std::string> arguments{input.file.string()};
   if (input.topic) arguments.insert(arguments.end(), {"--topic", *input.topic});
@@ -46,7 +46,7 @@ TrajectoryFile read_bag(const TrajectoryInput& input) {
     throw;
   } catch (const std::runtime_error& error) {
     std::string text = error.what();
-    if (text.find("no rows") != std::string::npos) script.finish();  // it has said why
+    if (text.find("no rows") != std::string::npos) script.finish();  // throws if it has said why
     if (text.starts_with(pipe + ':')) text.erase(0, pipe.size() + 1);
     if (text.starts_with(' ')) text.erase(0, 1);
     const bool of_a_line = !text.empty() && text.front() >= '0' && text.front() <= '9';
@@ -67,19 +67,19 @@ void add_trajectory_options(CLI::App& app, TrajectoryInput& input, CLI::Option* 
                                               {"ns", TimeUnit::nanoseconds}};
   TrajectoryFormat& format = input.format;
   auto* kind = add_choice(app, begin + "format", format.kind, kinds,
-                          "its format; default: auto, by the names of its columns, their number, and the stamps");
+                          "format; default: auto, by the names of the columns, their number, and the stamps");
   auto* columns = app.add_option(begin + "columns", format.columns,
-                                 "what its columns hold instead, such as t,x,y,z,qx,qy,qz,qw; - is passed over");
+                                 "columns, instead of a format, such as t,x,y,z,qx,qy,qz,qw; - is ignored");
   auto* order = add_choice(app, begin + "quaternion-order", format.quaternion_order, orders,
-                           "of its quaternions: w first or last");
-  auto* unit = add_choice(app, begin + "time-unit", format.time_unit, units, "of its stamps");
-  auto* rate = app.add_option(begin + "pose-rate", format.rate, "poses a second [Hz], if it has no stamps");
+                           "order of the quaternions: w first or last");
+  auto* unit = add_choice(app, begin + "time-unit", format.time_unit, units, "unit of the stamps");
+  auto* rate = app.add_option(begin + "pose-rate", format.rate, "rate of the poses [Hz], if they have no stamps");
   auto* times = app.add_option(begin + "times", format.times,
-                               "file of the stamps, one a line, if it has none (KITTI's times.txt)");
+                               "file with the stamps, one per line, if the poses have none (KITTI's times.txt)");
   auto* skip = app.add_flag(
       begin + "skip-bad-rows", format.skip_bad_rows,
-      "leave out and count rows that are malformed, with NaN, or with wrong stamps, instead of refusing them");
-  auto* topic = app.add_option(begin + "topic", input.topic, "of a ROS bag; needed if there are several with poses");
+      "leave out and count rows that are malformed, with NaN, or with wrong stamps; without this they are an error");
+  auto* topic = app.add_option(begin + "topic", input.topic, "topic of a ROS bag, needed if several have poses");
   columns->excludes(kind);
   times->excludes(rate);
   for (CLI::Option* option : {kind, columns, order, unit, rate, times, skip, topic}) {
@@ -91,7 +91,7 @@ void add_trajectory_options(CLI::App& app, TrajectoryInput& input, CLI::Option* 
 TrajectoryFile read_trajectory_input(const TrajectoryInput& input) {
   if (is_ros_bag(input.file)) return read_bag(input);
   if (input.topic) {
-    throw std::invalid_argument(message("--topic: ", input.file.string(), " is no ROS bag, expected one"));
+    throw std::invalid_argument(message("--topic: ", input.file.string(), " is not a ROS bag, expected one"));
   }
   return read_trajectory(input.file, input.format);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trajectory files of every kind as an argument of a program: the options that describe one, and reading it.
+// Trajectory files as arguments of a program: the options that describe a file, and reading it.
 #pragma once
 
 #include <filesystem>
@@ -20,14 +20,14 @@ struct TrajectoryInput {
 };
 
 /// Adds the options that describe a trajectory file: --format, --columns, --quaternion-order, --time-unit, --pose-rate,
-/// --times, --skip-bad-rows and --topic. They need the option `file`, if there is one. A program with several files
-/// gives each a `name`, which begins its options: --reference-format.
+/// --times, --skip-bad-rows and --topic. If `file` is given, they need this option. A program with several files gives
+/// each a `name`, with which its options begin: --reference-format.
 void add_trajectory_options(CLI::App& app, TrajectoryInput& input, CLI::Option* file = nullptr,
                             const std::string& name = "");
 
-/// Reads it. Throws as splinertia::read_trajectory, std::invalid_argument for options that do not go with the file, and
-/// ScriptFailed where a bag has been refused and the reason said on standard error.
+/// Reads the file. Throws as splinertia::read_trajectory, std::invalid_argument for options that do not apply to the
+/// file, and ScriptFailed if the script has rejected a bag and printed the reason on standard error.
 [[nodiscard]] splinertia::TrajectoryFile read_trajectory_input(const TrajectoryInput& input);
 
-/// The notes of a file as lines that begin with its name, for the report of a program.
+/// The notes on how a file was read, as lines that begin with its name.
 [[nodiscard]] std::string note_lines(const TrajectoryInput& input, const splinertia::TrajectoryFile& file);

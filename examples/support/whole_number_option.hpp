@@ -7,8 +7,8 @@
 #include <string>
 #include <system_error>
 
-/// Adds an option that takes whole numbers from 0 to 2^64 − 1 and refuses all else. CLI11 alone reads -1 as the largest
-/// of them, as it does numbers beyond.
+/// Adds an option that takes whole numbers from 0 to 2^64 − 1 and rejects everything else. CLI11 alone reads -1, and
+/// numbers that are too large, as the largest of them.
 inline CLI::Option* add_whole_number_option(CLI::App& app, const std::string& name, std::uint64_t& value,
                                             const std::string& description) {
   const auto read = [&value, name](const std::string& text) {

@@ -64,7 +64,7 @@ YamlReader YamlReader::open(const std::filesystem::path& path) {
   try {
     return YamlReader(path, YAML::Load(file));
   } catch (const YAML::ParserException& error) {
-    throw std::runtime_error(message(path.string(), ':', error.mark.line + 1, ": no YAML: ", escaped_line(error.msg)));
+    throw std::runtime_error(message(path.string(), ':', error.mark.line + 1, ": not YAML: ", escaped_line(error.msg)));
   }
 }
 
@@ -73,7 +73,7 @@ YamlReader::YamlReader(std::filesystem::path path, const YAML::Node& node)
 
 void YamlReader::fail(const std::string& what) const {
   const YAML::Mark mark = node_->Mark();
-  const std::string line = escaped_line(what);  // a text of the file may have anything in it
+  const std::string line = escaped_line(what);  // text from the file may contain control characters
   throw std::runtime_error(mark.is_null() ? message(path_.string(), ": ", line)
                                           : message(path_.string(), ':', mark.line + 1, ": ", line));
 }
@@ -85,7 +85,7 @@ bool YamlReader::has(const std::string& key) const {
   int count = 0;
   for (const auto& entry : *node_) {
     const bool found = entry.first.IsScalar() && entry.first.Scalar() == key;
-    if (found && ++count > 1) YamlReader(path_, entry.first).fail(message(key, " is there twice, expected it once"));
+    if (found && ++count > 1) YamlReader(path_, entry.first).fail(message(key, " is given twice, expected it once"));
   }
   return count == 1;
 }
@@ -101,7 +101,7 @@ std::vector<std::string> YamlReader::keys() const {
   for (const auto& entry : *node_) {
     const std::string key = YamlReader(path_, entry.first).text();
     if (std::find(result.begin(), result.end(), key) != result.end()) {
-      YamlReader(path_, entry.first).fail(message(key, " is there twice"));
+      YamlReader(path_, entry.first).fail(message(key, " is given twice"));
     }
     result.push_back(key);
   }
@@ -126,7 +126,7 @@ double YamlReader::number() const {
   const auto unit_at = space == std::string::npos ? all.size() : all.find_first_not_of(' ', space);
   double value = 0;
   if (!YAML::convert<double>::decode(YAML::Node(all.substr(0, space)), value)) {
-    fail(message(all, " is no number"));
+    fail(message(all, " is not a number"));
   }
   if (!splinertia::is_finite(value)) fail(message(all, ", expected a finite number"));
   if (unit_at >= all.size()) return value;

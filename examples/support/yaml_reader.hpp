@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading YAML strictly: every error says file, line, what was found and what was expected; what is not understood is
-// an error, too.
+// A strict reader of YAML: every error has the file, the line, what was found and what was expected. Unknown entries
+// are errors, too.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ class Node;
 /// A place in a YAML file.
 class YamlReader {
  public:
-  /// Throws std::runtime_error if the file cannot be read or is no YAML.
+  /// Throws std::runtime_error if the file cannot be read or is not YAML.
   static YamlReader open(const std::filesystem::path& path);
 
   YamlReader(std::filesystem::path path, const YAML::Node& node);
@@ -26,16 +26,16 @@ class YamlReader {
   [[nodiscard]] bool is_map() const;
   [[nodiscard]] bool is_list() const;
   [[nodiscard]] bool has(const std::string& key) const;
-  [[nodiscard]] YamlReader operator[](const std::string& key) const;  ///< throws std::runtime_error if it is not there
+  [[nodiscard]] YamlReader operator[](const std::string& key) const;  ///< throws std::runtime_error if there is none
   [[nodiscard]] std::vector<std::string> keys() const;                ///< of a map
   [[nodiscard]] std::vector<YamlReader> elements() const;             ///< of a list
 
   [[nodiscard]] std::string text() const;
-  /// A number, or a number and one of the units of IMU data sheets: "0.66 deg/sqrt(h)". SI.
+  /// A number in SI units, converted if one of the units of IMU data sheets follows: "0.66 deg/sqrt(h)".
   [[nodiscard]] double number() const;
   /// A number, or a list of three.
   [[nodiscard]] splinertia::PerAxis<double> per_axis() const;
-  /// Three lists of three numbers, or a number that stands for as much of the identity.
+  /// Three lists of three numbers, or a number, which multiplies the identity.
   [[nodiscard]] Eigen::Matrix3d matrix() const;
 
   /// Throws std::runtime_error if the map has other keys.

@@ -10,7 +10,7 @@ namespace {
 
 bool in(unsigned value, unsigned lowest, unsigned highest) { return lowest <= value && value <= highest; }
 
-/// The number of bytes of the UTF-8 character at the beginning, if YAML can have it in a line; else 0.
+/// The number of bytes of the UTF-8 character at the beginning, if YAML allows it in a line; else 0.
 std::size_t printable_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned first = byte(0);
@@ -22,7 +22,7 @@ std::size_t printable_bytes(std::string_view text) {
     if (!in(byte(i), 0x80, 0xBF)) return 0;
     code = code << 6U | (byte(i) & 0x3FU);
   }
-  constexpr std::array<unsigned, 5> smallest{0, 0, 0x80, 0x800, 0x10000};  // of so many bytes
+  constexpr std::array<unsigned, 5> smallest{0, 0, 0x80, 0x800, 0x10000};  // code of this many bytes
   const bool valid = code >= smallest[size] && code <= 0x10FFFF && !in(code, 0xD800, 0xDFFF);
   const bool breaks_line = code == 0x2028 || code == 0x2029;
   return valid && !breaks_line && code >= 0xA0 && !in(code, 0xFFFE, 0xFFFF) && code != 0xFEFF ? size : 0;

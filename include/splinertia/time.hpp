@@ -88,7 +88,7 @@ inline constexpr int time_bits = std::numeric_limits<typename Time::rep>::digits
 
 template <TimePoint Time, typename... Parts>
 [[noreturn]] void refuse_time(const Parts&... parts) {
-  refuse<std::out_of_range>("time: ", parts..., " does not fit into ", time_bits<Time>, " bits of ticks of ",
+  refuse<std::out_of_range>("time: ", parts..., " does not fit into ", time_bits<Time>, "-bit ticks of ",
                             to_seconds<double>(Time(1)), " s");
 }
 }  // namespace detail
@@ -100,11 +100,11 @@ void check_span(std::string_view whose, std::string_view what, Time first, Time 
   if constexpr (std::floating_point<Time>) {
     if (last - first <= (std::numeric_limits<Time>::max)()) return;
     refuse<std::invalid_argument>(whose, ": ", what, " from ", first, " to ", last,
-                                  " span more seconds than their type of time holds");
+                                  " span more seconds than their time type can represent");
   } else {
     if (first >= Time::zero() || last <= (Time::max)() + first) return;
     refuse<std::invalid_argument>(whose, ": ", what, " from ", printable(first), " to ", printable(last),
-                                  " span more ticks than ", detail::time_bits<Time>, " bits count");
+                                  " span more ticks than ", detail::time_bits<Time>, " bits can count");
   }
 }
 

@@ -143,7 +143,7 @@ TEST_CASE("A covariance without an inverse is refused, and what it lacks is said
   const std::string end = "; expected noise densities > 0 and at least two steps";
   const std::string begin = "square_root_information: the covariance is singular, ";
   CHECK(message_of(2, noise).empty());
-  CHECK(message_of(1, noise) == begin + "position component 0 follows from those before it" + end);
+  CHECK(message_of(1, noise) == begin + "position component 0 is determined by the components before it" + end);
   CHECK(message_of(0, noise) == begin + "attitude component 0 has no variance" + end);
   CHECK(message_of(30, {0, 2e-3, 0, 3e-3}) == begin + "attitude component 0 has no variance" + end);
   CHECK(message_of(30, {2e-4, 2e-3, 0, 3e-3}) == begin + "gyro bias component 0 has no variance" + end);

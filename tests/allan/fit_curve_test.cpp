@@ -198,9 +198,10 @@ TEST_CASE("Curves that cannot be fitted are refused") {
   };
   CHECK(refusal([](auto&) {}) == "nothing thrown");
   CHECK(refusal([](auto& curve) { curve.name = "adev"; }) == "nothing thrown");
-  CHECK(refusal([](auto& curve) { curve.name = "mdev"; }) == "fit_curve: the curve is of mdev, expected adev or oadev");
+  CHECK(refusal([](auto& curve) { curve.name = "mdev"; }) ==
+        "fit_curve: the curve's name is mdev, expected adev or oadev");
   CHECK(refusal([](auto& curve) { curve.name = "ohdev"; }) ==
-        "fit_curve: the curve is of ohdev, expected adev or oadev");
+        "fit_curve: the curve's name is ohdev, expected adev or oadev");
   CHECK(refusal([](auto& curve) { curve.points.resize(1); }) ==
         "fit_curve: 1 points, expected at least 2, and a deviation above zero");
   CHECK(refusal([](auto& curve) {

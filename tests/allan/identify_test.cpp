@@ -364,14 +364,17 @@ TEST_CASE("Logs and options that cannot be are refused") {
   CHECK(refusal({.confidence = std::numeric_limits<double>::quiet_NaN()}) ==
         "identify: confidence is nan, expected a number between 0 and 1");
   CHECK(refusal({.candidates = {}}) ==
-        "identify: candidates, expected white noise, walk, flicker or quantization among them");
+        "identify: candidates, expected at least one of white noise, random walk, bias instability and quantization "
+        "noise");
   CHECK(refusal({.candidates = {NoiseTerm::rate_ramp}}) ==
-        "identify: candidates, expected white noise, walk, flicker or quantization among them");
+        "identify: candidates, expected at least one of white noise, random walk, bias instability and quantization "
+        "noise");
   CHECK(refusal({.highest_frequency = -1}) == "identify: highest_frequency is -1, expected a finite number >= 0");
   CHECK(refusal({.highest_frequency = std::numeric_limits<double>::infinity()}) ==
         "identify: highest_frequency is inf, expected a finite number >= 0");
   CHECK(refusal({.highest_frequency = 2}) ==
-        "identify: highest_frequency is 2 Hz, expected more than eight times the lowest of the log, 0.25 Hz");
+        "identify: highest_frequency is 2 Hz, expected more than eight times the lowest frequency of the spectrum, "
+        "0.25 Hz");
   CHECK(refusal({.highest_frequency = 2.1}) == "nothing thrown");
   CHECK(message_of([&] { return identify(y, 0.0); }) == "Allan analysis: rate is 0, expected a finite number > 0");
   CHECK(message_of([&] { return identify(std::vector<double>{1, 2}, 1.0); }) ==

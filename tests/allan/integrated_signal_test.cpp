@@ -158,8 +158,12 @@ TEST_CASE("What is no log is refused") {
   CHECK(refusal(good, infinity) == "Allan analysis: rate is inf, expected a finite number > 0");
   // At which identification would look for times up to infinity, for ever.
   CHECK(refusal(good, 1e-307) ==
-        "Allan analysis: rate is 1e-307, expected one at which the times of the signal are representable");
+        "Allan analysis: rate is 1e-307, expected one at which the times and frequencies of the signal are "
+        "representable");
   CHECK(refusal(good, 1e-305) == "nothing thrown");
+  CHECK(refusal(good, 1e307).find("rate is 1e+307, expected one at which the times and frequencies") !=
+        std::string::npos);
+  CHECK(refusal(good, 1e304) == "nothing thrown");
   CHECK(refusal(good, 1e308) == "nothing thrown");
   CHECK(refusal(std::vector<double>{}) == "Allan analysis: 0 values, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2}) == "Allan analysis: 2 values, expected at least 3");
@@ -185,7 +189,7 @@ TEST_CASE("What is no integral of a log is refused") {
   CHECK(refusal_of({0, 1, not_a_number, 2}) == "Allan analysis: value 2 is nan, expected a finite number");
   CHECK(refusal_of({0, 1, 2, 4}) == "nothing thrown");
   CHECK(refusal_of({0, 1e300, 2e300, 4e300}, 1e10) ==
-        "Allan analysis: rate is 1e+10, expected one at which the rates are representable");
+        "Allan analysis: rate is 1e+10, expected one at which the rate signal does not overflow");
   std::vector<double> line;
   for (int i = 0; i < 1000; ++i) line.push_back(5 + 0.1 * i);
   CHECK(refusal_of(line, 10).starts_with("Allan analysis: the signal is constant (1"));

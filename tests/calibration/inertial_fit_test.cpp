@@ -444,7 +444,7 @@ TEST_CASE("What is wrong with the poses, the samples or the options is said") {
   };
   CHECK(message() == "nothing thrown");
   std::swap(run.samples[3].time, run.samples[4].time);
-  CHECK(message() == "IMU sample 4 is at time 0.05, expected a later one than 0.06, that of the sample before it");
+  CHECK(message() == "IMU sample 4 is at time 0.05, expected a time after 0.06, that of the sample before it");
   run.poses.resize(1);
   CHECK(message() == "fit: 1 poses, expected at least 2");
 }

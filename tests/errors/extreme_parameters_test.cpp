@@ -155,6 +155,5 @@ TEMPLATE_TEST_CASE("A damping ratio of any size is right or refused", "", float,
   }
   CHECK_THROWS_WITH(
       (SecondOrderBandwidth<double>(10, 1e160)),
-      "SecondOrderBandwidth: damping ratio is 1e+160, expected a number of which the third power does not "
-      "overflow");
+      "SecondOrderBandwidth: damping ratio is 1e+160, expected a number whose third power does not overflow");
 }

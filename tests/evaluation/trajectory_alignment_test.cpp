@@ -134,7 +134,7 @@ TEST_CASE("Points that do not determine a rotation are refused") {
   CHECK(refused(Points<double>(3, 0), Points<double>(3, 0)) ==
         "fit_similarity: 0 and 0 points, expected the same number of both, and at least 3");
   const auto degenerate = [&](const Points<double>& from, const Points<double>& to) {
-    return refused(from, to).find("do not determine a rotation, expected some that are not on one line") !=
+    return refused(from, to).find("do not determine a rotation, expected points that are not all on one line") !=
            std::string::npos;
   };
   // At rest, on a line, each with or without rounding: one of the two is enough.
@@ -242,8 +242,8 @@ TEST_CASE("Points that do not determine a heading are refused") {
   }
   CHECK(refused(line, line) == "");  // enough for a heading
   const auto degenerate =
-      "fit_yaw: 4 points do not determine a rotation about z, expected some that are not one above "
-      "the other";
+      "fit_yaw: 4 points do not determine a rotation about z, expected points that are not all on one "
+      "vertical line";
   CHECK(refused(column, points) == degenerate);
   CHECK(refused(points, column) == degenerate);
   CHECK(refused(points, helix<double>(5)) ==

@@ -29,7 +29,7 @@ TEST_CASE("Indices by frames") {
   CHECK(index_pairs_by_frames(3, 2) == IndexPairs{{0, 2}});
   for (const auto selection : {PairSelection::consecutive, PairSelection::all}) {
     CHECK(error_of([&] { (void)index_pairs_by_frames(3, 3, selection); }) ==
-          "index_pairs_by_frames: delta 3, expected 1 or more, and less than 3, which is how many poses there are");
+          "index_pairs_by_frames: delta 3, expected at least 1 and less than 3, the number of poses");
     CHECK(error_of([&] { (void)index_pairs_by_frames(3, 0, selection); }) != "");
     CHECK(error_of([&] { (void)index_pairs_by_frames(0, 1, selection); }) != "");
     CHECK(error_of([&] { (void)index_pairs_by_frames(3, std::numeric_limits<std::size_t>::max(), selection); }) != "");
@@ -53,7 +53,7 @@ TEST_CASE("Indices by path: along the estimate, also when it comes back") {
   // As good before as after: the one before.
   CHECK(index_pairs_by_path(pairs, 3, all, 0.2) == IndexPairs{{0, 4}, {1, 6}, {4, 7}, {5, 7}, {6, 8}});
   CHECK(error_of([&] { (void)index_pairs_by_path(pairs, 8); }) ==
-        "index_pairs_by_path: no two of the 9 poses are 8 m of path apart");
+        "index_pairs_by_path: no two of the 9 poses are 8 m apart along the path");
   CHECK(error_of([&] { (void)index_pairs_by_path(pairs, 8, all); }) != "");
   CHECK(error_of([&] { (void)index_pairs_by_path(pairs, 0); }) ==
         "index_pairs_by_path: delta 0 m, expected a length > 0");

@@ -116,7 +116,7 @@ def main():
     check(("accelerometer", "all", "N") in differ.rows, "axes that agree have none")
     differ.near("N", 4 * N, 0.02, "y")
     yaml = (differ.folder / "imu.yaml").read_text()
-    check("gyroscope_noise_density: of axis y, the largest" in yaml, f"imu.yaml does not say which axis: {yaml}")
+    check("gyroscope_noise_density: from axis y, the largest" in yaml, f"imu.yaml does not say which axis: {yaml}")
     check("WARNING" not in yaml, f"imu.yaml warns of what is well: {yaml}")
     axes[0] = [value + (SIGMA if i >= 25000 else 0) for i, value in enumerate(axes[0])]
     yaml = (analyse("step_of_six", axes).folder / "imu.yaml").read_text()

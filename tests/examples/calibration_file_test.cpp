@@ -98,12 +98,12 @@ TEST_CASE("A calibration file is read strictly, and the line is named") {
   CHECK(error(text).empty());
   CHECK_THAT(after("gyro_bias:", "gyro_biases:"), StartsWith("c.yaml:6: unknown gyro_biases, expected accel_bias, "));
   CHECK_THAT(error(replaced(text, "time_offset: -0.0123456789", "# ")), StartsWith("c.yaml:6: no time_offset"));
-  CHECK(error(text + "lever_arm: [0, 0, 0]\n") == "c.yaml:17: lever_arm is there twice");
+  CHECK(error(text + "lever_arm: [0, 0, 0]\n") == "c.yaml:17: lever_arm is given twice");
   CHECK(after("[0, 4, -0.7]", "[0, 4]") == "c.yaml:8: accel_bias: 2 numbers, expected 3");
   CHECK(after("[0, 4, -0.7]", "4") == "c.yaml:8: expected a list");
   CHECK(after("[0, 4, -0.7]", "[0, .nan, 1]") == "c.yaml:8: .nan, expected a finite number");
   CHECK(after("[0, 4, -0.7]", "[0, .inf, 1]") == "c.yaml:8: .inf, expected a finite number");
-  CHECK(after("[0, 4, -0.7]", "[0, four, 1]") == "c.yaml:8: four is no number");
+  CHECK(after("[0, 4, -0.7]", "[0, four, 1]") == "c.yaml:8: four is not a number");
   CHECK_THAT(after("[0, 4, -0.7]", "[0, 4 apples, 1]"), StartsWith("c.yaml:8: 4 apples: unknown unit apples"));
   CHECK(after("[0.01, 0.02, 0.03]", "[0.01, -0.02, 0.03]") ==
         "c.yaml:9: accel_bias_standard_deviation: -0.02, expected a number >= 0");

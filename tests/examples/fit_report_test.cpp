@@ -38,7 +38,7 @@ TEST_CASE("a condition is a number of digits, or a sentence where it is infinite
   Fixture f;
   CHECK_FALSE(contains(f.report(), "warning"));
   f.fitted.condition = 1e12;
-  CHECK(contains(f.report(), "of the curve's 16 digits about 12 are lost"));
+  CHECK(contains(f.report(), "about 12 of the curve's 16 digits are lost"));
   f.fitted.condition = std::numeric_limits<double>::infinity();
   CHECK(contains(f.report(), "warning: some control points are not determined at all, neither by poses nor by"));
   CHECK_FALSE(contains(f.report(), "inf"));
@@ -48,11 +48,11 @@ TEST_CASE("one is singular, two are plural") {
   Fixture f;
   f.fitted.outliers = {3};
   f.fitted.holes = {{nanoseconds(1'000'000'000), nanoseconds(1'200'000'000)}};
-  CHECK(contains(f.report(), "outliers: 1 pose lies off by more than 6 standard deviations"));
+  CHECK(contains(f.report(), "outliers: 1 pose deviates by more than 6 standard deviations"));
   CHECK(contains(f.report(), "holes: 1 span without poses"));
   f.fitted.outliers = {3, 5};
   f.fitted.holes.push_back({nanoseconds(1'500'000'000), nanoseconds(1'600'000'000)});
-  CHECK(contains(f.report(), "outliers: 2 poses lie off"));
+  CHECK(contains(f.report(), "outliers: 2 poses deviate"));
   CHECK(contains(f.report(), "holes: 2 spans without poses"));
 }
 

@@ -179,7 +179,7 @@ def check_foreign_bags(samples):
             "message 3 of /imu has stamp 6 ns after 7, expected increasing header stamps\n")
     refused(["to-csv", bag_of("empty", []), work / "no.csv"], "no messages on /imu")
     refused(["to-csv", bag_of("nan", [5], (1.0, float("nan"), 0.0, 0.0, 0.0, 0.0)), work / "no.csv"], "message 1", "finite")
-    refused(["to-csv", bag_of("cut", [5], cut=100), work / "no.csv"], "message 1 of /imu is no sensor_msgs/Imu")
+    refused(["to-csv", bag_of("cut", [5], cut=100), work / "no.csv"], "message 1 of /imu is not a sensor_msgs/Imu")
     with rosbags.rosbag2.Writer(work / "texts", version=9) as writer:
         writer.add_connection("/text", "std_msgs/msg/String", typestore=types)
     refused(["to-csv", work / "texts", work / "no.csv"], "no topic of sensor_msgs/Imu", "/text (std_msgs/msg/String)")
@@ -188,7 +188,7 @@ def check_foreign_bags(samples):
 def check_bad_input(csv, bag):
     refused(["to-bag", work / "none.csv", work / "no.bag"], "none.csv: No such file")
     refused(["to-bag", csv, work / "none" / "no.bag"], "none: no such folder")
-    refused(["to-bag", csv, work / "no.bag", "--topic", "imu 0"], "'imu 0' is no topic")
+    refused(["to-bag", csv, work / "no.bag", "--topic", "imu 0"], "'imu 0' is not a topic")
     refused(["to-bag", csv, work / "no.txt"], "unknown ending .txt", "expected .bag, .mcap")
     refused(["to-bag", csv, work], "exists already", "new folder")
     bad = work / "bad.csv"

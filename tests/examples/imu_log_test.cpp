@@ -95,7 +95,7 @@ TEST_CASE("stamps of another unit in a EuRoC file are refused with the unit that
   const Writer write;
   const auto ms = write(2000, [](int i) { return whole(epoch * 1000 + 5 * i); });
   CHECK(refusal(ms) == ms.string() +
-                           ": sampling: 2e+08 Hz if the times are in ns, expected at most 50000 Hz of an IMU; give "
+                           ": sampling: 2e+08 Hz if the times are in ns, expected at most 50000 Hz for an IMU; give "
                            "--time-unit ms (200 Hz)");
   ImuLogOptions options;
   options.time_unit = "ms";
@@ -105,7 +105,7 @@ TEST_CASE("stamps of another unit in a EuRoC file are refused with the unit that
 
   const auto us = write(2000, [](int i) { return whole(epoch * 1'000'000 + 5000 * i); });
   CHECK(has(refusal(us),
-            ": sampling: 2e+05 Hz if the times are in ns, expected at most 50000 Hz of an IMU; give "
+            ": sampling: 2e+05 Hz if the times are in ns, expected at most 50000 Hz for an IMU; give "
             "--time-unit us (200 Hz)"));
   options.time_unit = "us";
   CHECK_THAT(read_imu_log(us, options).rate, WithinRel(200.0, 1e-12));
@@ -135,7 +135,7 @@ TEST_CASE("where no format says the unit, digits from 1970 do") {
   const auto from_zero = write(2000, [](int i) { return whole(5 * i); });
   CHECK(refusal(from_zero, with_columns(timed)) ==
         from_zero.string() +
-            ": nothing tells the unit of the times: the samples would have 0.2 Hz in s, 200 Hz in ms, 2e+05 Hz in us, "
+            ": the unit of the times is unknown: the samples would have 0.2 Hz in s, 200 Hz in ms, 2e+05 Hz in us, "
             "2e+08 Hz in ns; give --time-unit ms (200 Hz)");
 }
 
@@ -153,14 +153,14 @@ TEST_CASE("bursts are arrival times") {
   CHECK(has(refusal(burst),
             "the stamps come in bursts of 4 samples 6e-05 s apart, one every 0.02 s: they are arrival "
             "times of packets and no sample is missing, expected the times of the samples; "
-            "--arrival-times takes this rate, and so does a log without times: "
+            "--arrival-times uses this rate, and so does reading the log without times: "
             "--columns=-,gx,gy,gz,ax,ay,az --rate 200"));
   ImuLogOptions options;
   options.limits.arrival_times = true;
   const ImuLog log = read_imu_log(burst, options);
   CHECK_THAT(log.rate, WithinRel(200.0, 1e-9));
   CHECK(line(log, "sampling") ==
-        "sampling: 200 Hz, samples over time, since the stamps are arrival times: bursts of 4 "
+        "sampling: 200 Hz, number of samples over time, since the stamps are arrival times: bursts of 4 "
         "every 20 ms; no samples missing");
   ImuLogOptions untimed = with_columns({"-", "gx", "gy", "gz", "ax", "ay", "az"});
   untimed.rate = 200;
@@ -182,8 +182,8 @@ TEST_CASE("jitter lacks no samples") {
     if (jitter > 0.1) {
       CHECK(has(refusal(path), "the intervals vary by "));
       CHECK(has(refusal(path),
-                "expected at most 20 % of it; --most-jitter accepts more, --arrival-times takes no more "
-                "than the rate from the times"));
+                "expected at most 20 % of it; --most-jitter accepts more, --arrival-times uses the times only for "
+                "the rate"));
       options.limits.jitter = 0.5;
     }
     const ImuLog log = read_imu_log(path, options);
@@ -197,18 +197,18 @@ TEST_CASE("duplicates are dropped on request, times that go back are not") {
   const auto twice = write(2000, [](int i) { return every_5_ms(i > 700 ? i - 1 : i); });
   CHECK(refusal(twice) == twice.string() +
                               ":703: time 1600000003500000000 ns follows 1600000003500000000 ns, expected increasing "
-                              "times: --drop-duplicates leaves such rows out; or leave the times out: "
+                              "times: --drop-duplicates leaves out such rows; or ignore the times: "
                               "--columns=-,gx,gy,gz,ax,ay,az --rate HZ");
   ImuLogOptions options;
   options.drop_duplicates = true;
   const ImuLog log = read_imu_log(twice, options);
   CHECK(log.samples == 1999);
   CHECK(log.sensors[0].axes[0].values.size() == 1999);
-  CHECK(line(log, "duplicates") == "duplicates: 1 row with the stamp of the row before left out");
+  CHECK(line(log, "duplicates") == "duplicates: 1 row with the stamp of the previous row left out");
   // Packets of eight with one stamp are no duplicates to drop.
   const auto packets = write(2000, [](int i) { return every_5_ms(8 * (i / 8)); });
   CHECK(has(refusal(packets, options),
-            "1750 of 2000 rows have the stamp of the row before, expected at most 1 % to drop"));
+            "1750 of 2000 rows have the stamp of the previous row, expected at most 1 % to drop"));
   CHECK(has(refusal(packets, options), "and give --rate"));
   const auto back = write(2000, [](int i) { return every_5_ms(i == 700 ? 5 : i); });
   CHECK(has(refusal(back, options), ":702: time 1600000000025000000 ns follows 1600000003495000000 ns, expected"));
@@ -243,7 +243,7 @@ TEST_CASE("stretches are left out, with times and without") {
   CHECK(log.left_out[0].begin == 3);
   CHECK(log.left_out[0].end == 5);
   CHECK(log.left_out[1].begin == 7.5);
-  CHECK(line(log, "left out") == "left out: 3 s to 5 s and 7.5 s to 8 s, 500 samples; what is on both sides is joined");
+  CHECK(line(log, "left out") == "left out: 3 s to 5 s and 7.5 s to 8 s, 500 samples; the parts before and after are joined");
 }
 
 TEST_CASE("the time of a sample counts what is missing") {
@@ -265,14 +265,14 @@ TEST_CASE("bad ranges") {
     options.leave_out = std::move(leave_out);
     return refusal(path, options);
   };
-  CHECK(refused(10, {}, {}) == "--skip: 10 s is all of the log");
+  CHECK(refused(10, {}, {}) == "--skip: 10 s is the whole log");
   CHECK(refused(-1, {}, {}) == "--skip: time is -1, expected a finite number >= 0");
   CHECK(refused(3, 3, {}) == "--until: 3 s, expected more than the 3 s of --skip, with a sample in between");
   CHECK(refused(0, 0, {}) == "--until: time is 0, expected a finite number > 0");
   CHECK(refused(0, 1e300, {}) == "");
-  CHECK(refused(0, {}, {"0-1e3"}) == "--leave-out: this is all of the log");
-  CHECK(refused(0, {}, {"20-30"}) == "--leave-out: \"20-30\" has no sample, the log is 9.995 s long");
-  CHECK(refused(0, {}, {"1e-3-2e-3"}) == "--leave-out: \"1e-3-2e-3\" has no sample, the log is 9.995 s long");
+  CHECK(refused(0, {}, {"0-1e3"}) == "--leave-out: this is the whole log");
+  CHECK(refused(0, {}, {"20-30"}) == "--leave-out: \"20-30\" contains no sample, the log is 9.995 s long");
+  CHECK(refused(0, {}, {"1e-3-2e-3"}) == "--leave-out: \"1e-3-2e-3\" contains no sample, the log is 9.995 s long");
   for (const char* text : {"", "-", "5", "5-", "-5", "3-2", "3-3", "-1-2", "a-b", "1-2-3", "1-nan", "1 -2"}) {
     CAPTURE(text);
     CHECK(refused(0, {}, {text}) == "--leave-out: \"" + std::string(text) +
@@ -316,11 +316,11 @@ TEST_CASE("options of two logs that do not go together") {
   const auto gyro = write.named("gyro.csv", 2000, every_5_ms, Sensors::gyro);
   ImuLogOptions options;
   options.accel_columns = {"t", "ax"};
-  CHECK(refusal(gyro, options) == "--accel-columns, --accel-rate, --accel-topic: expected --accel-log beside them");
+  CHECK(refusal(gyro, options) == "--accel-columns, --accel-rate, --accel-topic: expected --accel-log, too");
   options.accel_log = gyro;
   options.columns = {"t", "gx", "ay", "gz"};
   CHECK(refusal(gyro, options) ==
-        "--columns: ay, expected the columns of one sensor, since --accel-log is of the accelerometer");
+        "--columns: ay, expected the columns of one sensor, since --accel-log has the accelerometer");
   options.columns.clear();
   options.accel_columns = {"t", "gx"};
   CHECK(has(refusal(gyro, options), "--accel-columns: gx, expected the columns of one sensor"));

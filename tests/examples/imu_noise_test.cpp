@@ -198,20 +198,19 @@ TEST_CASE("OpenVINS' intrinsics become terms") {
 TEST_CASE("What it must refuse: file, line and what was expected") {
   CHECK(
       refusal("a: 1\n") ==
-      "noise.yaml:1: no noise of an IMU, expected the keys of Kalibr or OpenVINS (gyroscope_noise_density, ...), VINS "
+      "noise.yaml:1: no IMU noise, expected the keys of Kalibr or OpenVINS (gyroscope_noise_density, ...), VINS "
       "(gyr_n, ...), ORB-SLAM3 (IMU.NoiseGyro, ...), GTSAM (gyroscopeCovariance, ...)");
-  CHECK(refusal("- 1\n").starts_with("noise.yaml:1: no noise of an IMU"));
+  CHECK(refusal("- 1\n").starts_with("noise.yaml:1: no IMU noise"));
   CHECK(refusal(kalibr_densities + "gyr_n: 1\n") ==
         "noise.yaml:1: keys of Kalibr or OpenVINS (gyroscope_noise_density, ...) and of VINS (gyr_n, ...), expected "
-        "those "
-        "of one");
+        "only those of one");
   CHECK(refusal("acc_n: 0.1\ngyr_n: 0.02\nacc_w: 0.001\ngyr_w: 1.0e-4\n") ==
-        "noise.yaml:1: no update_rate, expected one or --rate: VINS' values are those of a sample and depend on the "
+        "noise.yaml:1: no update_rate, expected one or --rate: VINS' values are per sample and depend on the "
         "rate");
   CHECK(refusal("acc_n: 0.1\ngyr_n: 0.02\nacc_w: 0\ngyr_w: 1.0e-4\n", 200) ==
         "noise.yaml:3: acc_w is 0, expected a number > 0");
   CHECK(refusal("IMU.NoiseGyro: 1\nIMU.NoiseAcc: x\nIMU.GyroWalk: 1\nIMU.AccWalk: 1\n") ==
-        "noise.yaml:2: x is no number");
+        "noise.yaml:2: x is not a number");
   CHECK(refusal("IMU.NoiseGyro: 1\nIMU.NoiseAcc: 1\nIMU.GyroWalk: 1\nIMU.AccWalk: 1\n") ==
         "noise.yaml:1: no IMU.Frequency, expected one");
   CHECK(refusal("gyroscopeCovariance: 1\n") == "noise.yaml:1: no biasOmegaCovariance, expected one");

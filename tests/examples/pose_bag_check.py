@@ -123,7 +123,7 @@ if simulate_imu:
     result = run(*simulate, work / "all.bag")
     expect(result.returncode == 2 and "several pose topics" in result.stderr, result)
     result = run(*simulate, one, "--format", "tum")
-    expect(result.returncode == 2 and "a ROS bag, expected no options but --topic and --skip-bad-rows" in result.stderr, result)
+    expect(result.returncode == 2 and "a ROS bag, expected no options except --topic and --skip-bad-rows" in result.stderr, result)
     result = run(*simulate, work / "missing.bag")
     expect(result.returncode == 2 and "no such file or folder" in result.stderr, result)
     wrong = list(poses())

@@ -44,7 +44,7 @@ TEST_CASE("outliers near each other are one run, and of many runs the worst are 
   const auto worst = outlier_lines(poses, off, outliers, 1);
   REQUIRE(worst.size() == 2);
   CHECK(worst[0] == "0.900 s (1 pose, up to 90 m, 0 rad)");
-  CHECK(worst[1] == "and in 2 more runs, which are less far off");
+  CHECK(worst[1] == "and in 2 more runs with smaller deviations");
 }
 
 TEST_CASE("the longest interval") {

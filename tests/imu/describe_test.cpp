@@ -60,7 +60,7 @@ TEST_CASE("A term in a line") {
 }
 
 TEST_CASE("A user's terms are described by what they tell") {
-  CHECK(describe(Nameless{}, SensorKind::gyro) == "a term without a name");
+  CHECK(describe(Nameless{}, SensorKind::gyro) == "unnamed term");
   CHECK(describe(Named{}, SensorKind::gyro) == "my term: mass 2 kg, age 3");
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("A model in lines, in its order") {
   CHECK(describe(ErrorModel{WhiteNoise{0.015}, ConstantBias{1}, Nameless{}}, SensorKind::gyro) ==
         "white noise: density 0.015 rad/s/sqrt(Hz)\n"
         "constant bias: bias 1 rad/s\n"
-        "a term without a name\n");
+        "unnamed term\n");
 }
 
 TEST_CASE("A whole IMU") {

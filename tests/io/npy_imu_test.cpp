@@ -139,7 +139,7 @@ TEST_CASE("bad files are refused by place") {
   CHECK(error_in(changed(1, 0, std::int64_t{1403636579758555393})) ==
         ": row 1: time_ns 1403636579758555393 follows 1403636579758555393, expected increasing times");
   CHECK(error_in(good.substr(0, good.size() - 1)) == ": byte 359: the file ends in row 2, expected 3 rows");
-  CHECK(error_in(good + '\0') == ": byte 360: more bytes behind the last of 3 rows, expected the end of the file");
+  CHECK(error_in(good + '\0') == ": byte 360: more bytes after the last of 3 rows, expected the end of the file");
   CHECK(error_in("#timestamp [ns],w\n") == ": byte 0: \"#times\", expected an .npy file, which begins with \\x93NUMPY");
   std::string other = good;
   other.replace(other.find("'gyro'"), 6, "'rate'");

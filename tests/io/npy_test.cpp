@@ -137,7 +137,7 @@ TEST_CASE("what is no such file is refused with its place") {
                                                   std::to_string((size - header) / 8) + ", expected 2 rows");
   }
   CHECK(error_in(good + "x") ==
-        "byte " + std::to_string(good.size()) + ": more bytes behind the last of 2 rows, expected the end of the file");
+        "byte " + std::to_string(good.size()) + ": more bytes after the last of 2 rows, expected the end of the file");
   // As many rows as memory cannot hold are not believed.
   CHECK(error_in(npy("{'descr': [('n', '<i8')], 'fortran_order': False, 'shape': (1000000000000000000,)}",
                      record(7))) == "byte 101: the file ends in row 1, expected 1000000000000000000 rows");

@@ -95,7 +95,8 @@ TEST_CASE("the first wrong thing is named with its line") {
   CHECK(error_in("1403715524907143168 1 2 3\n", s) ==
         "1: \"1403715524907143168\" does not fit in 64-bit nanoseconds, expected t in column 1");
   CHECK(error_in("x 1 2 3\n", s) == "1: \"x\" is not a number of seconds, expected t in column 1");
-  CHECK(error_in("1.5,1,2,3\n", s) == "1: \"1.5,1,2,3\" has commas, expected points with blanks: t x [m] y [m] z [m]");
+  CHECK(error_in("1.5,1,2,3\n", s) ==
+        "1: \"1.5,1,2,3\" has commas, expected points separated by blanks: t x [m] y [m] z [m]");
 }
 
 TEST_CASE("a row is read alike wherever it stands") {

@@ -140,14 +140,14 @@ TEST_CASE("files without stamps take a rate or a file of times") {
   CHECK(error(tartan, {}).find("7 columns without names") != std::string::npos);
   folder.write("times.txt", times + "1\n");
   CHECK(error(kitti, {.times = times_file}) ==
-        times_file.string() + ": 51 times for the 50 rows of " + kitti.string() + ", expected as many");
+        times_file.string() + ": 51 times for the 50 rows of " + kitti.string() + ", expected one for each row");
   folder.write("times.txt", "0\n1.5\nx\n");
   CHECK(error(kitti, {.times = times_file}) ==
         times_file.string() + ":3: \"x\" is not a number of seconds, expected a time [s]");
   CHECK(error(kitti, {.times = folder / "none"}).find("No such file") != std::string::npos);
   std::string bent = kitti_text();
   bent[0] = '9';
-  CHECK(error(folder.write("bent", bent), {.rate = 200}).find(":1: r11 … r33 are no rotation") != std::string::npos);
+  CHECK(error(folder.write("bent", bent), {.rate = 200}).find(":1: r11 … r33 are not a rotation") != std::string::npos);
 }
 
 TEST_CASE("formats that contradict themselves or the file are refused by the option's name") {
@@ -158,28 +158,28 @@ TEST_CASE("formats that contradict themselves or the file are refused by the opt
     return error_of<std::invalid_argument>([&] { (void)read_trajectory(path, format); });
   };
   CHECK(error({.columns = "t,x,y,z,qx,qy,qz,qa"}, file) ==
-        "--columns: \"qa\" is no column, expected names such as t,x,y,z,qx,qy,qz,qw, and - for what is not wanted");
-  CHECK(error({.columns = "t,x,y,z,qx,qy,qz,t"}, file) == "--columns: t is there twice, expected once");
+        "--columns: \"qa\" is not a column, expected names such as t,x,y,z,qx,qy,qz,qw, and - for columns to ignore");
+  CHECK(error({.columns = "t,x,y,z,qx,qy,qz,t"}, file) == "--columns: t appears twice, expected once");
   CHECK(error({.columns = "t,x,y,z"}, file) ==
-        "--columns: \"t,x,y,z\" is no pose, expected x, y, z and qx, qy, qz, qw (or r11 to r33)");
+        "--columns: \"t,x,y,z\" is not a pose, expected x, y, z and qx, qy, qz, qw (or r11 to r33)");
   CHECK(error({.columns = "t,x,y,z,qx,qy,qz,qw,vx"}, file) ==
-        "--columns: \"t,x,y,z,qx,qy,qz,qw,vx\" has vx vy vz in part, expected all or none");
+        "--columns: \"t,x,y,z,qx,qy,qz,qw,vx\" has only part of vx vy vz, expected all or none");
   CHECK(error({.kind = Kind::tum, .columns = "t,x,y,z,qx,qy,qz,qw"}, file) ==
-        "--columns: the format has columns of its own, expected --columns or --format");
+        "--columns: the format fixes the columns, expected --columns or --format, not both");
   CHECK(error({.columns = "t,x,y,z,qx,qy,qz,qw", .quaternion_order = w_first}, file) ==
-        "--quaternion-order: --columns says otherwise, expected one of them");
+        "--quaternion-order: --columns gives another order, expected only one of them");
   CHECK(error({.quaternion_order = w_first, .rate = 10}, kitti) ==
         "--quaternion-order: " + kitti.string() + " has no quaternions, expected some");
   CHECK(error({.rate = 10}, file) ==
         "--pose-rate: " + file.string() + " has stamps of its own, expected a file without");
   CHECK(error({.times = file}, file) ==
         "--times: " + file.string() + " has stamps of its own, expected a file without");
-  CHECK(error({.rate = 10, .times = file}, kitti) == "--pose-rate and --times: expected one of them");
+  CHECK(error({.rate = 10, .times = file}, kitti) == "--pose-rate and --times: expected only one of them");
   CHECK(error({.rate = 0}, kitti) == "--pose-rate: 0, expected a positive number of Hz, up to 1e9");
   CHECK(error({.rate = 1e-9}, kitti) ==
         "--pose-rate: at 1e-09 Hz the time of row 10 is 1e+10 s, expected at most 9e+09");
   CHECK(error({.time_unit = ns, .rate = 10}, kitti) ==
-        "--time-unit: there are no stamps, but a --pose-rate; expected one of them");
+        "--time-unit and --pose-rate: the file has no stamps, expected --pose-rate only");
   CHECK(error_of<std::runtime_error>([&] { (void)read_trajectory(file, {.columns = "t,x,y,z,qx,qy,qz,qw,-"}); }) ==
         file.string() + ":1: 8 columns, expected 9 of --columns t,x,y,z,qx,qy,qz,qw,-");
   CHECK(read_trajectory(file, {.columns = "t,x,y,z,qx,qy,qz,qw,..."}).poses.size() == 50);

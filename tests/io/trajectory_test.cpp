@@ -84,7 +84,7 @@ TEST_CASE("a header is honoured, however it spells the names") {
     const Dress dress{.header = names, .separator = ",", .unit = ns};
     const TrajectoryFile file = folder.read(dress);
     CHECK(test::near_all(file.poses, test::dressed_poses()));
-    CHECK(test::notes(file, "columns are t,x,y,z,qx,qy,qz,qw by the names in line "));
+    CHECK(test::notes(file, "columns are t,x,y,z,qx,qy,qz,qw according to the names in line "));
   }
   const Dress w{.header = "timestamp,p_x,p_y,p_z,q_w,q_x,q_y,q_z", .separator = ",", .order = w_first, .unit = ns};
   CHECK(test::near_all(folder.read(w).poses, test::dressed_poses()));
@@ -140,14 +140,14 @@ TEST_CASE("an order that nothing tells is refused, and can be stated") {
     const Dress dress{.separator = separator, .unit = ns};
     const std::string error = folder.error_in(dress);
     CAPTURE(error);
-    CHECK(has(error, ":1: nothing tells the order of the quaternion"));
+    CHECK(has(error, ":1: the order of the quaternion is unknown"));
     CHECK(has(error, "with w first"));
     CHECK(has(error, "17.19 deg about (0 1 0) with w last; give --quaternion-order wxyz or xyzw"));
     for (const QuaternionOrder order : {w_first, w_last}) {
       const TrajectoryFile file =
           folder.read(Dress{.separator = separator, .order = order, .unit = ns}, {.quaternion_order = order});
       CHECK(test::near_all(file.poses, test::dressed_poses()));
-      CHECK(test::notes(file, order == w_last ? "t,x,y,z,qx,qy,qz,qw is taken" : "t,x,y,z,qw,qx,qy,qz is taken"));
+      CHECK(test::notes(file, order == w_last ? "t,x,y,z,qx,qy,qz,qw assumed" : "t,x,y,z,qw,qx,qy,qz assumed"));
     }
     CHECK(test::near_all(folder.read(dress, {.kind = TrajectoryFormat::Kind::rpg}).poses, test::dressed_poses()));
     CHECK(test::near_all(folder.read(dress, {.columns = "t,x,y,z,qx,qy,qz,qw"}).poses, test::dressed_poses()));
@@ -156,7 +156,7 @@ TEST_CASE("an order that nothing tells is refused, and can be stated") {
   const Dress named{.header = "# timestamp, x, y, z, qx, qy, qz, qw", .separator = ",", .order = w_first, .unit = ns};
   const TrajectoryFile stated = folder.read(named, {.quaternion_order = w_first});  // the user knows better
   CHECK(test::near_all(stated.poses, test::dressed_poses()));
-  CHECK(test::notes(stated, "--quaternion-order is taken, although t,x,y,z,qx,qy,qz,qw was expected"));
+  CHECK(test::notes(stated, "--quaternion-order is used, although t,x,y,z,qx,qy,qz,qw was expected"));
 }
 
 TEST_CASE("the other order gives a motion as smooth: the attitude cannot tell") {
@@ -194,7 +194,7 @@ TEST_CASE("units of time are told by digits and rate, or refused") {
   CHECK(test::near_all(folder.read(whole).poses, test::dressed_poses(whole)));
   const Dress small{.stamp = [](int i) { return std::to_string(i); }};
   CHECK(folder.error_in(small) ==
-        ":1: nothing tells the unit of the stamps: the poses would have 1 Hz in s, 1000 Hz in ms, 1e+06 Hz in us, "
+        ":1: the unit of the stamps is unknown: the poses would have 1 Hz in s, 1000 Hz in ms, 1e+06 Hz in us, "
         "1e+09 Hz in "
         "ns; give --time-unit s, ms, us or ns");
   CHECK(folder.read(small, {.time_unit = TimeUnit::milliseconds}).poses[7].time == std::chrono::milliseconds(7));
@@ -212,7 +212,7 @@ TEST_CASE("units of time are told by digits and rate, or refused") {
   CHECK(test::near_all(folder.read(named).poses, test::dressed_poses(named)));
   const Dress wrong{
       .header = "t [ns],x,y,z,qx,qy,qz,qw", .separator = ",", .stamp = [](int i) { return std::to_string(i); }};
-  CHECK(has(folder.error_in(wrong), ":2: stamps in ns are too near or too far for poses, which would have 1 Hz in s"));
+  CHECK(has(folder.error_in(wrong), ":2: stamps in ns give an implausible rate: the poses would have 1 Hz in s"));
   CHECK(folder.read(wrong, {.time_unit = TimeUnit::seconds}).poses.size() == 50);
   const Dress slow{.stamp = [](int i) { return std::to_string(200 * i) + ".5"; }};
   CHECK(has(folder.error_in(slow), "--time-unit"));
@@ -235,8 +235,7 @@ TEST_CASE("formats are told by their shape") {
   CHECK(file.gyro_biases.empty());
   CHECK(test::notes(file, "VINS odometry assumed"));
   CHECK(folder.error_in("1,2,3\n4,5,6\n") ==
-        ":1: 3 columns without names: no trajectory that is recognised; say what they are by --columns, or --format "
-        "(tum, "
+        ":1: 3 columns without names: not a known trajectory format; give --columns, or --format (tum, "
         "euroc, kitti, vins, openvins, rpg, tartanair)");
   CHECK(has(folder.error_in(Dress{.tail = " 1"}), ":1: 9 columns without names"));
   CHECK(folder.error_in("") == ": no rows, expected the poses of a trajectory");
@@ -250,7 +249,7 @@ TEST_CASE("velocities that are all zero count as none") {
   TrajectoryFile file = folder.read(zeros);
   CHECK(file.velocities.empty());
   CHECK(file.gyro_biases.empty());
-  CHECK(test::notes(file, "velocities and biases are all zero: the file counts as without"));
+  CHECK(test::notes(file, "velocities and biases are all zero: the file is read as if it had none"));
   const Dress biases{.separator = ",", .order = w_first, .unit = ns, .tail = ",0,0,0,0,0,0,1,0,0"};
   file = folder.read(biases);
   CHECK(file.velocities.empty());

@@ -79,7 +79,7 @@ TEST_CASE("bad TUM files are refused by line") {
   CHECK(error_in("1.5 1 2 3 0 0 0 1\n1.5 1 2 3 0 0 0 1\n") == ":2: time 1.5 follows 1.5, expected increasing t");
   // EuRoC's order of the quaternion is another one.
   CHECK(error_in("15,1,2,3,1,0,0,0\n") ==
-        ":1: \"15,1,2,3,1,0,0,0\" has commas, expected a TUM trajectory with blanks: t tx ty tz qx qy qz qw");
+        ":1: \"15,1,2,3,1,0,0,0\" has commas, expected a TUM trajectory separated by blanks: t tx ty tz qx qy qz qw");
 }
 
 TEST_CASE("nothing half-written") {

@@ -127,6 +127,6 @@ TEST_CASE("A span of run-time size must be of the right one") {
   const std::span<const Sophus::SO3d> all(points);
   CHECK(evaluate<1>(all.first(4), basis).velocity == evaluate<1>(all.first<4>(), basis).velocity);
   CHECK(linearize<1>(all.first(4), basis).velocity_jacobian == linearize<1>(all.first<4>(), basis).velocity_jacobian);
-  CHECK_THROWS_WITH(evaluate<1>(all, basis), "a curve of order 4 is shaped by as many control points, not by 5");
+  CHECK_THROWS_WITH(evaluate<1>(all, basis), "expected 4 control points (the order of the curve), got 5");
   CHECK_THROWS_AS(linearize<1>(all.first(3), basis), std::invalid_argument);
 }

@@ -86,23 +86,23 @@ TEST_CASE("Knots that are none are refused with the place and the value") {
   };
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   CHECK(why({0, 1, 2, 3, 4, 5, 6, 7}, 4, 4) == "accepted");
-  CHECK(why({0, 1, 2, 3, 4, 5, 6}, 4, 4) == "NonUniformKnots: 7 knots, expected 8: 4 control points and the order, 4");
-  CHECK(why({}, 4, 4) == "NonUniformKnots: 0 knots, expected 8: 4 control points and the order, 4");
+  CHECK(why({0, 1, 2, 3, 4, 5, 6}, 4, 4) == "NonUniformKnots: 7 knots, expected 8: 4 control points plus the order, 4");
+  CHECK(why({}, 4, 4) == "NonUniformKnots: 0 knots, expected 8: 4 control points plus the order, 4");
   CHECK(why({0, 1, nan, 3, 4, 5, 6, 7}, 4, 4) == "NonUniformKnots: knot 2 is nan, expected a finite number");
   CHECK(why({-infinity, 1, 2, 3, 4, 5, 6, 7}, 4, 4) == "NonUniformKnots: knot 0 is -inf, expected a finite number");
   CHECK(why({0, 1, 2, 3, 4, 3.5, 6, 7}, 4, 4) ==
         "NonUniformKnots: knot 5 is 3.5, expected at least 4, the knot before it");
   CHECK(why({0, 1, 2, 3, 3, 5, 6, 7}, 4, 4) ==
-        "NonUniformKnots: knots 3 and 4 are both 3, expected a curve to be between them");
+        "NonUniformKnots: knots 3 and 4 are both 3, expected a non-empty domain between them");
 
   // Inside the domain k − 1 coinciding knots are the most, at its ends k and more are fine.
   CHECK(why({0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}, 7, 4) == "accepted");
   CHECK(why({0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2}, 8, 4) ==
-        "NonUniformKnots: knots 4 to 7 are all 1, which would tear the curve; expected at most 3 inside its domain, "
-        "the order less one");
+        "NonUniformKnots: knots 4 to 7 are all 1, which would make the curve discontinuous; expected at most 3 equal "
+        "knots inside the domain, the order minus one");
   CHECK(why({0, 1, 2, 2, 3, 4}, 4, 2) ==
-        "NonUniformKnots: knots 2 and 3 are both 2, which would tear the curve; expected at most 1 inside its domain, "
-        "the order less one");
+        "NonUniformKnots: knots 2 and 3 are both 2, which would make the curve discontinuous; expected at most 1 equal "
+        "knots inside the domain, the order minus one");
 
   NonUniformKnots<nanoseconds> time{{nanoseconds{0}, nanoseconds{2}, nanoseconds{1}, nanoseconds{3}}};
   CHECK_THROWS_WITH(time.check(2, 2), "NonUniformKnots: knot 2 is 1, expected at least 2, the knot before it");

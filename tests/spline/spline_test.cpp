@@ -97,8 +97,9 @@ TEST_CASE("What cannot be a spline is refused with the reason") {
   CHECK_THROWS_AS((Curve({.start = 0, .interval = 0}, points)), std::invalid_argument);
   auto broken = points;
   broken[2].get<1>().y() = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH((Curve({.start = 0, .interval = 1}, broken)),
-                    "Spline: control points 1 and 2 are not both finite and of non-zero rotation part");
+  CHECK_THROWS_WITH(
+      (Curve({.start = 0, .interval = 1}, broken)),
+      "Spline: control points 1 and 2 have no finite increment, expected finite values and a non-zero rotation part");
 
   Curve curve({.start = 0, .interval = 1}, points);
   CHECK_THROWS_AS(curve.set_control_point(2, broken[2]), std::invalid_argument);
@@ -257,7 +258,7 @@ TEST_CASE("A spline refuses knots that do not fit, and control points move on an
   testing::Random random(12);
   auto points = random.walk<SO3xR3<double>>(6);
   CHECK_THROWS_WITH((FreeCurve<4>({.knots = {0, 1, 2, 3, 4, 5, 6, 7}}, points)),
-                    "NonUniformKnots: 8 knots, expected 10: 6 control points and the order, 4");
+                    "NonUniformKnots: 8 knots, expected 10: 6 control points plus the order, 4");
   CHECK_THROWS_WITH((FreeCurve<4>({.knots = {0, 1, 2, 3, 4, 5}}, {points[0], points[1]})),
                     "Spline: 2 control points, expected at least 4, the order of the curve");
   const std::vector<double> knots{0, 1, 2, 3, 3.5, 4, 6, 7, 8, 9};

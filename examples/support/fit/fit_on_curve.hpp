@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fit_trajectory() on a group and of an order that the compiler knows. It takes long to compile, so that each pair has
-// a source file of its own in this folder.
+// fit_trajectory() for a group and an order known at compile time. It takes long to compile, so each pair has its own
+// source file in this folder.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 using namespace splinertia;
 using std::chrono::nanoseconds;
 
-/// Calls work(), and says which file it is about, and which options help, where the library refuses its values.
+/// Calls work(). If the library rejects its values, the message gets the name of the file and the options that help.
 auto about(const std::filesystem::path& file, const char* help, const auto& work) {
   try {
     return work();
@@ -61,22 +61,22 @@ FitOptions<Curve> fit_options(const FitChoices& o) {
   return options;
 }
 
-/// Why fit() has placed the knots where it has.
+/// Why fit() has chosen the knot interval.
 inline std::string why(KnotLimit limit) {
   switch (limit) {
     case KnotLimit::motion:
-      return "chosen: further apart they would miss motion beyond the noise of the poses";
+      return "chosen: longer intervals would miss motion above the noise of the poses";
     case KnotLimit::poses:
-      return "chosen: as close as the poses, which are sparse for their motion";
+      return "chosen: as close as the poses, which are sparse for the motion";
     case KnotLimit::turn:
-      return "chosen: further apart neighbouring control points would turn by more than 120 deg";
+      return "chosen: with longer intervals neighbouring control points would differ by more than 120 deg";
     case KnotLimit::length:
       break;
   }
-  return "chosen: the poses show no motion that needs closer ones";
+  return "chosen: the poses show no motion that needs shorter intervals";
 }
 
-/// What can be seen of a curve, once it is there.
+/// Adds to `result` what follows from the curve: knots, control points, smoothed poses and residuals.
 template <typename Curve>
 void describe_curve(const Curve& curve, const Poses& poses, FittedTrajectory& result) {
   const auto& knots = curve.knots();
@@ -94,7 +94,7 @@ void describe_curve(const Curve& curve, const Poses& poses, FittedTrajectory& re
   result.distances = distances(result.smoothed, poses);
 }
 
-/// What a fit says beside its curve.
+/// Adds to `result` what the fit reports besides its curve.
 template <typename Curve>
 void describe_fit(const Fit<Curve>& fit, bool with_imu, FittedTrajectory& result) {
   const auto& deviation = fit.standard_deviation;
@@ -102,7 +102,7 @@ void describe_fit(const Fit<Curve>& fit, bool with_imu, FittedTrajectory& result
   result.rotation_deviation = split ? deviation.template head<3>() : deviation.template tail<3>();
   result.position_deviation = split ? deviation.template tail<3>() : deviation.template head<3>();
   result.outliers = fit.outliers;
-  // An IMU that the curve was fitted to measures it everywhere.
+  // There are no holes if the curve was fitted to an IMU, which measures it everywhere.
   for (const auto& gap : fit.gaps) {
     if (!with_imu) result.holes.push_back({gap.start, gap.end});
   }
@@ -136,7 +136,8 @@ inline FittedImu describe_imu(const CalibratedImu<double>& calibrated, const Ine
   return imu;
 }
 
-/// Samples inside holes do not count. Of samples whose noise is not known it is what they leave.
+/// Calibrates the IMU against the curve, without the samples inside holes. If the noise of the samples is not given, it
+/// is estimated from the residuals of a first calibration.
 template <typename Curve>
 FittedImu calibrate(const Curve& curve, const FittedTrajectory& fitted, const FitImu& imu) {
   const Stage stage("calibrating the IMU");
@@ -153,7 +154,7 @@ FittedImu calibrate(const Curve& curve, const FittedTrajectory& fitted, const Fi
   });
 }
 
-/// Sets the knot interval as the choices say; where they say nothing, fit() chooses.
+/// Sets the knot interval from the options; without them fit() chooses it.
 template <typename Curve>
 void place_knots(const PosesOf<Curve>& data, const FitChoices& o, FitOptions<Curve>& options,
                  FittedTrajectory& result) {
@@ -210,7 +211,7 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
     if constexpr (Order % 2 == 0) {
       if (o.interpolate) {
         const Stage stage("interpolating");
-        // As fit() has it, with a knot at every pose.
+        // The criterion of fit() for gaps, with a knot at every pose.
         const double longest = 2.5 * median_interval(data);
         for (std::size_t i = 1; i < data.size(); ++i) {
           if (to_seconds<double>(data[i].time - data[i - 1].time) > longest) {

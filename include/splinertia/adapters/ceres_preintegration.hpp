@@ -39,7 +39,7 @@ namespace splinertia {
     for (Eigen::Index j = 0; j < i; ++j) L(i, j) = (C(i, j) - L.row(i).head(j).dot(L.row(j).head(j))) / L(j, j);
     // The variance that is left when the components before it are known.
     const double left = 1 - L.row(i).head(i).squaredNorm();
-    if (!(left > rounding)) singular(i, "follows from those before it");
+    if (!(left > rounding)) singular(i, "is determined by the components before it");
     L(i, i) = std::sqrt(left);
   }
   Matrix15 W = d.asDiagonal();

@@ -34,7 +34,7 @@ class CurveFit {
 
   explicit CurveFit(const Curve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
-      refuse<std::invalid_argument>("fit_curve: the curve is of ", curve.name, ", expected adev or oadev");
+      refuse<std::invalid_argument>("fit_curve: the curve's name is ", curve.name, ", expected adev or oadev");
     }
     for (const auto& point : curve.points) {
       require_positive("fit_curve", "tau", point.tau);

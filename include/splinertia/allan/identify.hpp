@@ -105,7 +105,8 @@ class Identification {
     }
     if (alone.empty()) {
       refuse<std::invalid_argument>(
-          "identify: candidates, expected white noise, walk, flicker or quantization among them");
+          "identify: candidates, expected at least one of white noise, random walk, bias instability and "
+          "quantization noise");
     }
     return options;
   }
@@ -114,7 +115,8 @@ class Identification {
     const Scalar first = spectrum_.bins().front().frequency;
     if (options_.highest_frequency > 0 && !(options_.highest_frequency > 8 * first)) {
       refuse<std::invalid_argument>("identify: highest_frequency is ", options_.highest_frequency,
-                                    " Hz, expected more than eight times the lowest of the log, ", first, " Hz");
+                                    " Hz, expected more than eight times the lowest frequency of the spectrum, ", first,
+                                    " Hz");
     }
     if (!options_.excluded.empty() && !enough()) {
       refuse<std::invalid_argument>("identify: the excluded bands leave ", bands_.count(), " of ",

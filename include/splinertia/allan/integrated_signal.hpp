@@ -78,7 +78,7 @@ class IntegratedSignal {
       largest = (std::max)(largest, std::abs(x));
     }
     result.unit_ *= rate;
-    require(is_finite(result.unit_), "Allan analysis", "rate", rate, "one at which the rates are representable");
+    require(is_finite(result.unit_), "Allan analysis", "rate", rate, "one at which the rate signal does not overflow");
     result.mean_ = step * result.unit_;
     // A straight line, to within the rounding of its values.
     if (largest <= 8 * std::numeric_limits<Scalar>::epsilon()) refuse_constant(result.mean_);
@@ -108,9 +108,10 @@ class IntegratedSignal {
       refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ", fewest);
     }
     const auto n = static_cast<std::size_t>(count);
-    // The longest time that identification tries is max(64, 8 n)/rate (model_likelihood.hpp).
-    require(is_finite(64 * static_cast<Scalar>(n) / rate_), "Allan analysis", "rate", rate_,
-            "one at which the times of the signal are representable");
+    // Identification tries times up to max(64, 8 n)/rate (model_likelihood.hpp) and forms 2 n·rate for its frequencies.
+    const Scalar most_intervals = 64 * static_cast<Scalar>(n);
+    require(is_finite(most_intervals / rate_) && is_finite(most_intervals * rate_), "Allan analysis", "rate", rate_,
+            "one at which the times and frequencies of the signal are representable");
     sums_.reserve(zeros + n);
     sums_.assign(zeros, Scalar(0));
     sums_.insert(sums_.end(), std::begin(values), std::end(values));

@@ -55,8 +55,7 @@ template <typename Scalar>
 constexpr void require_factor(const char* whose, const char* parameter, const Scalar& value) {
   require_finite(whose, parameter, value);
   constexpr auto most = largest_factor<Scalar>;
-  require(-most() <= value && value <= most(), whose, parameter, value,
-          "a number of which the third power does not overflow");
+  require(-most() <= value && value <= most(), whose, parameter, value, "a number whose third power does not overflow");
 }
 
 }  // namespace splinertia

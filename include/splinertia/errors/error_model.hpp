@@ -28,8 +28,8 @@ class ErrorModel {
   static_assert((check_error_term<Terms>() && ...));
   static_assert(
       (SensorTerm<Terms> && ...) || (ClockTerm<Terms> && ...) || !(ErrorTerm<Terms> && ...),
-      "an ErrorModel has the terms of one sensor or of one clock: stamps' errors (ClockOffset, StampJitter, …) "
-      "go into a model of their own, Imu{gyro, accel, stamps}");
+      "an ErrorModel holds the terms of either a sensor or a clock: errors of time stamps (ClockOffset, StampJitter, "
+      "…) need a model of their own, Imu{gyro, accel, stamps}");
 
  public:
   /// What changes from sample to sample, for one sensor in one run.

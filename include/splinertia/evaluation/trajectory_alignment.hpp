@@ -75,7 +75,7 @@ template <typename Scalar>
                           (from.cwiseAbs().maxCoeff() * sqrt(variance_y) + to.cwiseAbs().maxCoeff() * sqrt(variance_x));
   if (!(d[1] + s[2] * d[2] > Scalar(16) * rounding)) {
     refuse<std::invalid_argument>("fit_similarity: ", from.cols(),
-                                  " points do not determine a rotation, expected some that are not on one line "
+                                  " points do not determine a rotation, expected points that are not all on one line "
                                   "(singular values of the covariance: ",
                                   d[0], ' ', d[1], ' ', d[2], " m^2)");
   }
@@ -122,8 +122,8 @@ template <typename Scalar>
                           (from.cwiseAbs().maxCoeff() * y.norm() + to.cwiseAbs().maxCoeff() * x.norm());
   if (!(size > Scalar(16) * rounding)) {
     refuse<std::invalid_argument>("fit_yaw: ", from.cols(),
-                                  " points do not determine a rotation about z, expected some that are not one "
-                                  "above the other");
+                                  " points do not determine a rotation about z, expected points that are not "
+                                  "all on one vertical line");
   }
   SimilarityTransform<Scalar> result;
   result.rotation = detail::rotation_about_z(sine, cosine);

@@ -33,8 +33,8 @@ enum class PairSelection { consecutive, all };
     for (std::size_t i = 0; i < size && size - i > delta; i += step) indices.emplace_back(i, i + delta);
   }
   if (indices.empty()) {
-    refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta, ", expected 1 or more, and less than ", size,
-                                  ", which is how many poses there are");
+    refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta, ", expected at least 1 and less than ", size,
+                                  ", the number of poses");
   }
   return indices;
 }
@@ -84,7 +84,7 @@ template <Pose G, TimePoint Time>
   }
   if (indices.empty()) {
     refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
-                                  " m of path apart");
+                                  " m apart along the path");
   }
   return indices;
 }

@@ -75,8 +75,8 @@ class OffsetSearch {
     const std::size_t most = *std::max_element(counts.begin(), counts.end());
     if (most < 20 * 8) {
       return {{},
-              message("the angular speeds of both are known for ", rounded(static_cast<double>(most) * step_),
-                      " s at once, expected at least ", rounded(20 * window_), " s")};
+              message("the angular speeds of both overlap for ", rounded(static_cast<double>(most) * step_),
+                      " s, expected at least ", rounded(20 * window_), " s")};
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (2 * counts[i] < most) correlation[i] = 0;
@@ -124,7 +124,7 @@ class OffsetSearch {
         variance += block_slope * block_slope;
         curvature += (next.blocks[i] - 2 * here.blocks[i] + before.blocks[i]) / (h * h);
       }
-      if (!(curvature > 0)) return {{}, "the angular speeds have no sharp maximum of correlation"};
+      if (!(curvature > 0)) return {{}, "the correlation of the angular speeds has no sharp maximum"};
       const double newton = std::clamp(-slope / curvature, -h, h), count = static_cast<double>(blocks);
       const double deviation = std::sqrt(variance * count / (count - 1)) / curvature;
       const double enough = std::clamp(20 * deviation, window_ / 1000, window_ / 4);
@@ -161,7 +161,7 @@ class OffsetSearch {
                                       double independent) const {
     const double most = correlation[static_cast<std::size_t>(best)];
     if (!(likelihood_drop(independent, most, 0) >= 25)) {
-      return message("the angular speeds of both are correlated by ", rounded(most), " at most, which may be chance");
+      return message("the correlation of the angular speeds is ", rounded(most), " at most, which may be chance");
     }
     if (best == 0 || best == 2 * lags_) {
       return message("the angular speeds agree best at the end of the range, ", rounded(offset(best)), " s");
@@ -172,8 +172,8 @@ class OffsetSearch {
         const double other = correlation[static_cast<std::size_t>(i)];
         valley = (std::min)(valley, other);
         if (likelihood_drop(independent, other, valley) >= 4 && likelihood_drop(independent, most, other) < 10) {
-          return message("the motion repeats itself: ", rounded(offset(best)), " s and ", rounded(offset(i)),
-                         " s agree about as well");
+          return message("the motion repeats itself: offsets of ", rounded(offset(best)), " s and ", rounded(offset(i)),
+                         " s fit about equally well");
         }
       }
     }

@@ -51,7 +51,7 @@ template <ErrorTerm Term>
   if constexpr (requires { Term::name; }) {
     text = Term::name;
   } else {
-    text = "a term without a name";
+    text = "unnamed term";
   }
   std::string separator = ": ";
   const auto parameter = [&](const char* name, const auto& value, const auto& unit) {

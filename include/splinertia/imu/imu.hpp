@@ -19,12 +19,12 @@ struct Imu {
                 "an Imu has an ErrorModel for each sensor: Imu{ErrorModel{WhiteNoise{0.01}}, ErrorModel{}}");
   static_assert(
       SensorModel<Gyro> || is_term<Gyro>,
-      "the first part of an Imu is its gyroscope's ErrorModel; stamps' errors (ClockOffset, StampJitter, …) are "
-      "the third: Imu{gyro, accel, stamps}");
+      "the first part of an Imu is its gyroscope's ErrorModel; errors of time stamps (ClockOffset, StampJitter, …) "
+      "are the third: Imu{gyro, accel, stamps}");
   static_assert(
       SensorModel<Accel> || is_term<Accel>,
-      "the second part of an Imu is its accelerometer's ErrorModel; stamps' errors (ClockOffset, StampJitter, …) "
-      "are the third: Imu{gyro, accel, stamps}");
+      "the second part of an Imu is its accelerometer's ErrorModel; errors of time stamps (ClockOffset, StampJitter, "
+      "…) are the third: Imu{gyro, accel, stamps}");
   static_assert(
       ClockModel<Stamps> || is_term<Stamps>,
       "the third part of an Imu is the ErrorModel of its stamps (ClockOffset, StampJitter, …): Imu{gyro, accel, "

@@ -72,8 +72,8 @@ class ImuErrors {
       AppliesTo<decltype(Sensors::gyro), Sample<Scalar>&, GyroState> &&
           AppliesTo<decltype(Sensors::accel), Sample<Scalar>&, AccelState> &&
           AppliesTo<decltype(Sensors::stamps), Stamp<Scalar>&, StampsState>,
-      "the error terms have another scalar than the motion: WhiteNoise{0.01} is of doubles, WhiteNoise{0.01F} "
-      "of floats");
+      "the error terms use another scalar type than the motion: WhiteNoise{0.01} uses double, WhiteNoise{0.01F} "
+      "float");
   struct Nothing {};
 
   // States are moved in, not constructed in place: once a function that is not inlined has had the address of a state,

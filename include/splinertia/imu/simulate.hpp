@@ -62,7 +62,7 @@ class Simulation {
     }
     if (const auto interval = static_cast<Scalar>(1 / rate_);
         !(interval > Scalar(0) && splinertia::is_finite(interval)))
-      refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected one whose inverse is finite and not 0");
+      refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected a finite, non-zero interval 1/rate");
     for (int axis = 0; axis < 3; ++axis) require_finite("simulate", "gravity", gravity_[axis]);
     if (options.start) require_finite("simulate", "start", printable(start_));
     if (options.end) require_finite("simulate", "end", printable(end_));
@@ -188,7 +188,7 @@ class Simulation {
     const auto size = static_cast<std::size_t>(intervals * (1 + 4 * std::numeric_limits<double>::epsilon())) + 1;
     if (size > 1 && !(1 / rate_ >= resolution())) {
       refuse<std::invalid_argument>("simulate: rate is ", rate_, " Hz, expected samples at least ", resolution(),
-                                    " s apart, which the clock can tell from each other");
+                                    " s apart, so that their times differ");
     }
     static_cast<void>(after(start_, elapsed(size - 1)));  // throws unless Time holds the last time, and so all
     return size;

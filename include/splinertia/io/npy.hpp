@@ -161,7 +161,7 @@ class NpyReader {
     if (row_ == rows_) {
       char byte = 0;
       if (file_.read(&byte, 1) > 0) {
-        fail("byte ", offset_, ": more bytes behind the last of ", rows_, " rows, expected the end of the file");
+        fail("byte ", offset_, ": more bytes after the last of ", rows_, " rows, expected the end of the file");
       }
       return false;
     }

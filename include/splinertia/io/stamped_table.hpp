@@ -127,7 +127,7 @@ class StampedTable {
   void check_columns() const {
     const std::size_t most = layout_.columns.size(), fewest = layout_.fewest_columns, count = fields_.size();
     if (layout_.separator == ' ' && file_.line().find(',') != std::string_view::npos) {
-      fail(excerpt(file_.line()), " has commas, expected ", layout_.format, " with blanks: ", layout_.names());
+      fail(excerpt(file_.line()), " has commas, expected ", layout_.format, " separated by blanks: ", layout_.names());
     }
     if (count != most && count != fewest) {
       const std::string expected = fewest == most ? message(most) : message(fewest, " or ", most);

@@ -90,7 +90,7 @@ class RowTimes {
   void require_rows(const TextFile& file, std::size_t rows) const {
     if (times_file_.empty() || rows == times_.size()) return;
     throw std::runtime_error(message(times_file_.string(), ": ", times_.size(), " times for the ", rows, " rows of ",
-                                     file.path(), ", expected as many"));
+                                     file.path(), ", expected one for each row"));
   }
 
  private:
@@ -136,7 +136,7 @@ inline void drop_zero_velocities(TrajectoryFile& result) {
     result.accel_biases.clear();
   }
   result.notes.push_back(
-      message("velocities", biases ? " and biases" : "", " are all zero: the file counts as without"));
+      message("velocities", biases ? " and biases" : "", " are all zero: the file is read as if it had none"));
 }
 
 }  // namespace detail

@@ -120,7 +120,7 @@ template <LieGroup G, int Order>
 template <int Order, LieGroup G>
 [[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> exactly(std::span<const G> control_points) {
   if (control_points.size() != static_cast<std::size_t>(Order)) {
-    refuse<std::invalid_argument>("a curve of order ", Order, " is shaped by as many control points, not by ",
+    refuse<std::invalid_argument>("expected ", Order, " control points (the order of the curve), got ",
                                   control_points.size());
   }
   return control_points.template first<static_cast<std::size_t>(Order)>();

@@ -46,7 +46,7 @@ struct NonUniformKnots {
     const auto k = static_cast<std::size_t>(order);
     if (knots.size() != control_points + k) {
       refuse<std::invalid_argument>("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k, ": ",
-                                    control_points, " control points and the order, ", order);
+                                    control_points, " control points plus the order, ", order);
     }
     for (std::size_t i = 0; i < knots.size(); ++i) {
       if (!is_finite(knots[i])) {
@@ -61,14 +61,14 @@ struct NonUniformKnots {
     const auto [start, end] = domain(control_points, order);
     if (!(start < end)) {
       refuse<std::invalid_argument>("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
-                                    printable(start), ", expected a curve to be between them");
+                                    printable(start), ", expected a non-empty domain between them");
     }
     for (std::size_t i = k; i + k - 1 < control_points; ++i) {
       if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
         refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
                                       k > 2 ? " are all " : " are both ", printable(knots[i]),
-                                      ", which would tear the curve; expected at most ", k - 1,
-                                      " inside its domain, the order less one");
+                                      ", which would make the curve discontinuous; expected at most ", k - 1,
+                                      " equal knots inside the domain, the order minus one");
       }
     }
     check_span("NonUniformKnots", "knots", knots.front(), knots.back());

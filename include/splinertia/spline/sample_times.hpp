@@ -65,8 +65,8 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
   if (count == 0) return;
   if constexpr (!std::floating_point<Time>) {
     if (count - 1 > static_cast<std::size_t>(time_between(times.start, (Time::max)()) / times.interval)) {
-      refuse<std::out_of_range>("sample: ", count, " samples ", printable(times.interval), " apart from ",
-                                printable(times.start), " on end later than any time that there is");
+      refuse<std::out_of_range>("sample: ", count, " samples ", printable(times.interval), " apart, starting at ",
+                                printable(times.start), ", exceed the largest representable time");
     }
   }
   const Time last = times(count - 1);

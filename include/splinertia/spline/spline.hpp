@@ -160,7 +160,7 @@ class Spline {
     if constexpr (std::floating_point<Scalar>) {
       if (!all_finite(d)) {
         refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
-                                      " are not both finite and of non-zero rotation part");
+                                      " have no finite increment, expected finite values and a non-zero rotation part");
       }
     }
     return d;

@@ -52,17 +52,17 @@ struct UniformKnots {
                 start <= (Time::max)() - static_cast<typename Time::rep>(segments) * interval;
     }
     if (!reached) {
-      refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " from ", printable(start),
-                                    " on end later than any time that there is");
+      refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " starting at ",
+                                    printable(start), " exceed the largest representable time");
     }
     if constexpr (std::floating_point<Time>) {
       const Time end = domain(control_points, order).end, last = (std::max)(std::abs(start), std::abs(end));
       detail::check_lengths<Scalar>("UniformKnots", interval, end - start);
       const Time resolution = std::numeric_limits<Time>::epsilon() * last;
       if (interval < 4 * resolution) {
-        refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times of ", last,
-                                      " s are told apart by ", resolution,
-                                      " s only; expected a longer interval, or time as integers");
+        refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times near ", last,
+                                      " s have a resolution of ", resolution,
+                                      " s; expected a longer interval or an integer time type");
       }
     }
   }

@@ -35,7 +35,8 @@ class Integrator {
     require_all_finite("integrate", "the initial velocity", initial.v_WB);
     require_all_finite("integrate", "the initial position", initial.p_WB);
     require_all_finite("integrate", "gravity", gravity);
-    if constexpr (requires { frame.rate; }) require_all_finite("integrate", "the rate of the world", frame.rate);
+    if constexpr (requires { frame.rate; })
+      require_all_finite("integrate", "the angular rate of the world", frame.rate);
   }
 
   /// Adds a sample, advances the state as far as the scheme can, and calls visit(state) after each step. Throws

@@ -101,14 +101,16 @@ TEST_CASE("stamps that are none are refused by place and value") {
   CHECK(refusal(std::vector<double>{}) == "sampling: 0 stamps, expected at least 3");
   CHECK(refusal(std::vector<double>{1}) == "sampling: 1 stamps, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2}) == "sampling: 2 stamps, expected at least 3");
-  CHECK(refusal(std::vector<double>{0, 1, 1, 2}) == "sampling: stamp 2 is 1 after 1, expected increasing stamps");
-  CHECK(refusal(std::vector<double>{0, 2, 1}) == "sampling: stamp 2 is 1 after 2, expected increasing stamps");
+  CHECK(refusal(std::vector<double>{0, 1, 1, 2}) ==
+        "sampling: stamp 2 is 1, the one before it 1, expected increasing stamps");
+  CHECK(refusal(std::vector<double>{0, 2, 1}) ==
+        "sampling: stamp 2 is 1, the one before it 2, expected increasing stamps");
   CHECK(refusal(std::vector<double>{0, NAN, 1}) == "sampling: stamp 1 is nan, expected a finite number");
   CHECK(refusal(std::vector<double>{0, 1, INFINITY}) == "sampling: stamp 2 is inf, expected a finite number");
   CHECK(refusal(std::vector{epoch, epoch}) ==
-        "sampling: stamp 1 is 1403636579763555584 after 1403636579763555584, expected increasing stamps");
+        "sampling: stamp 1 is 1403636579763555584, the one before it 1403636579763555584, expected increasing stamps");
   CHECK(refusal(std::vector{-nanoseconds::max(), nanoseconds{0}, nanoseconds{1}}) ==
-        "sampling: stamp 2 is 1 and the first -9223372036854775807, expected a difference that their type can hold");
+        "sampling: stamp 2 is 1, the first one -9223372036854775807, expected a difference that fits their type");
   CHECK(refusal(regular(10), {.missing = -1}) == "SamplingLimits: missing is -1, expected a finite number >= 0");
 }
 

@@ -269,9 +269,9 @@ TEST_CASE("Samples may be in nanoseconds where the curve is in seconds, and the 
 TEST_CASE("Samples that are none are refused") {
   CHECK(refusal([](auto&, auto&) {}) == "nothing thrown");
   CHECK(refusal([](auto& samples, auto&) { std::swap(samples[3], samples[4]); }) ==
-        "IMU sample 4 is at time 0.73, expected a later one than 1.1, that of the sample before it");
+        "IMU sample 4 is at time 0.73, expected a time after 1.1, that of the sample before it");
   CHECK(refusal([](auto& samples, auto&) { samples[3].time = samples[2].time; }) ==
-        "IMU sample 3 is at time 0.41, expected a later one than 0.41, that of the sample before it");
+        "IMU sample 3 is at time 0.41, expected a time after 0.41, that of the sample before it");
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   CHECK(refusal([=](auto& samples, auto&) { samples[2].gyro.y() = nan; }) == "IMU sample 2 is not finite");
   CHECK(refusal([=](auto& samples, auto&) { samples[5].accel.z() = infinity; }) == "IMU sample 5 is not finite");
@@ -295,11 +295,11 @@ TEST_CASE("Options that make no sense are refused") {
   CHECK(refusal([](auto&, auto& o) { o.largest_time_offset = 0; }) ==
         "InertialOptions: largest_time_offset is 0, expected a finite number > 0");
   CHECK(refusal([](auto&, auto& o) { o.calibration.time_offset = -0.2; }) ==
-        "InertialOptions: time_offset is -0.2 s, expected at most largest_time_offset, 0.1");
+        "InertialOptions: time_offset is -0.2 s, expected a magnitude of at most largest_time_offset, 0.1");
   CHECK(refusal([](auto&, auto& o) { o.calibration.gravity.setZero(); }) ==
-        "InertialOptions: the amount of gravity is 0, expected a finite number > 0");
+        "InertialOptions: the magnitude of gravity is 0, expected a finite number > 0");
   CHECK(refusal([=](auto&, auto& o) { o.calibration.gravity.x() = nan; }) ==
-        "InertialOptions: the amount of gravity is nan, expected a finite number > 0");
+        "InertialOptions: the magnitude of gravity is nan, expected a finite number > 0");
   // A known time offset needs no limit, but is a number.
   CHECK(refusal([=](auto&, auto& o) {
           o.estimate_time_offset = false;

@@ -1,4 +1,4 @@
-// expect: the error terms have another scalar than the motion
+// expect: the error terms use another scalar type than the motion
 #include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/ellipse.hpp>

@@ -1,4 +1,4 @@
-// expect: an ErrorModel has the terms of one sensor or of one clock
+// expect: an ErrorModel holds the terms of either a sensor or a clock
 #include <splinertia/errors/clock/clock_offset.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/noise/white_noise.hpp>

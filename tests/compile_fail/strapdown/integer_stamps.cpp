@@ -1,4 +1,4 @@
-// expect: the time of these samples is not of the type that this integrates over
+// expect: the samples must have the same type of time as the integration
 // SPDX-License-Identifier: MIT
 #include <cstdint>
 #include <splinertia/strapdown/integrator.hpp>

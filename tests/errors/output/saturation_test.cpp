@@ -35,7 +35,7 @@ TEST_CASE("A range of less than one bit is refused, on any axis and in either or
   const Saturation saturation{PerAxis<double>(1, 0.5, 1)};
   const Quantization coarse{0.75};
   const char* const text =
-      "Saturation: limit is 0.5, expected at least the least significant bit of the Quantization beside it";
+      "Saturation: limit is 0.5, expected at least the least significant bit of the Quantization term";
   CHECK_THROWS_WITH((ErrorModel{saturation, coarse}), text);
   CHECK_THROWS_WITH((ErrorModel{coarse, saturation}), text);
   CHECK_THROWS_WITH((ErrorModel{coarse}.with(saturation)), text);

@@ -37,9 +37,9 @@ TEST_CASE("An error is given as a number, whole or not, one for each axis, or a 
 }
 
 TEST_CASE("An error that is none, or loses the signal, is refused") {
-  CHECK_THROWS_WITH(ScaleFactor{-1}, "ScaleFactor: error is -1, expected a scale that can be inverted");
+  CHECK_THROWS_WITH(ScaleFactor{-1}, "ScaleFactor: error is -1, expected a scale 1 + error other than 0");
   CHECK_THROWS_WITH((ScaleFactor{PerAxis<float>(0, -1, 0)}),
-                    "ScaleFactor: error is -1, expected a scale that can be inverted");
+                    "ScaleFactor: error is -1, expected a scale 1 + error other than 0");
   CHECK_THROWS_WITH(ScaleFactor{testing::nan<double>}, "ScaleFactor: error is nan, expected a finite number");
   CHECK_THROWS_WITH(ScaleFactor{testing::infinity<double>}, "ScaleFactor: error is inf, expected a finite number");
   CHECK_NOTHROW(ScaleFactor{-2});  // an axis the wrong way round

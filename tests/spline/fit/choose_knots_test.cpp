@@ -118,8 +118,8 @@ TEST_CASE("A goal that cannot be reached, or is none, is an error") {
     }
   };
   const auto message = unreachable({});
-  CHECK(message.starts_with("coarsest_knot_interval: with knots 0.01004"));
-  CHECK(message.find(" s apart, as many as there are poses, the residuals still are up to ") != std::string::npos);
+  CHECK(message.starts_with("coarsest_knot_interval: even with knots 0.01004"));
+  CHECK(message.find(" s apart, one control point per pose, the RMS residuals are up to ") != std::string::npos);
   CHECK(message.ends_with(" times the goal"));
   // Poses that all are far from the goal are not taken for outliers.
   CHECK(unreachable({.loss = RobustLoss::cauchy()}) == message);

@@ -420,7 +420,7 @@ TEST_CASE("Poses that span more nanoseconds than 64 bits count are refused") {
   const PosesOf<Epoch> poses{
       {nanoseconds{-far}, Number(0)}, {nanoseconds{0}, Number(1)}, {nanoseconds{far}, Number(2)}};
   CHECK(message_of([&] { return fit<Epoch>(poses, {.knot_interval = 1e9}); }) ==
-        "fit: poses from -9000000000000000000 to 9000000000000000000 span more ticks than 64 bits count");
+        "fit: poses from -9000000000000000000 to 9000000000000000000 span more ticks than 64 bits can count");
 }
 
 TEST_CASE("Poses that cannot be fitted are refused with place and value") {
@@ -432,10 +432,10 @@ TEST_CASE("Poses that cannot be fitted are refused with place and value") {
   const double nan = std::nan("");
   auto bad = good;
   std::swap(bad[3], bad[4]);
-  CHECK(why(bad) == "fit: pose 4 is at time 0.3, expected a later one than 0.4, that of the pose before it");
+  CHECK(why(bad) == "fit: pose 4 is at time 0.3, expected a time after 0.4, that of the pose before it");
   bad = good;
   bad[7].time = bad[6].time;
-  CHECK(why(bad) == "fit: pose 7 is at time 0.6, expected a later one than 0.6, that of the pose before it");
+  CHECK(why(bad) == "fit: pose 7 is at time 0.6, expected a time after 0.6, that of the pose before it");
   bad = good;
   bad[2].value.get<1>().y() = nan;
   CHECK(why(bad) == "fit: pose 2 is not finite");
@@ -459,9 +459,9 @@ TEST_CASE("Poses that cannot be fitted are refused with place and value") {
   CHECK(why(good, {.knot_interval = 0.5, .knots = UniformKnots<double>{0, 0.5}}) ==
         "fit: expected knot_interval or knots, and not both");
   CHECK(why(good, {.knot_interval = -1}) == "fit: knot_interval is -1, expected a finite number > 0");
-  CHECK(why(good, {.knot_interval = 1e-300}).find("a hundred times the poses") != std::string::npos);
+  CHECK(why(good, {.knot_interval = 1e-300}).find("a hundred per pose") != std::string::npos);
   CHECK(why(good, {.knots = UniformKnots<double>{1, 0.5}}) ==
-        "fit: poses from 0 to 5, but the knots reach from 1 to 5; expected them to reach over all poses");
+        "fit: poses from 0 to 5, but the knots reach from 1 to 5; expected knots that cover all poses");
 }
 
 TEST_CASE("Poses are read, not written") {

@@ -263,10 +263,10 @@ TEST_CASE("Poses that no such curve passes through are refused with the reason")
   auto bad = good;
   bad[4].time += 0.04;
   CHECK(why(bad).find("interpolate: pose 4 is 0.04") == 0);
-  CHECK(why(bad).find("expected evenly spaced poses for UniformKnots; take NonUniformKnots") != std::string::npos);
+  CHECK(why(bad).find("expected evenly spaced poses for UniformKnots; use NonUniformKnots") != std::string::npos);
   bad = good;
   bad[3].time = bad[2].time;
-  CHECK(why(bad) == "interpolate: pose 3 is at time 2.2, expected a later one than 2.2, that of the pose before it");
+  CHECK(why(bad) == "interpolate: pose 3 is at time 2.2, expected a time after 2.2, that of the pose before it");
   bad = good;
   bad[5].value.get<1>().x() = std::nan("");
   CHECK(why(bad) == "interpolate: pose 5 is not finite");

@@ -152,7 +152,7 @@ TEST_CASE("Readings and biases that are not finite are refused") {
   CHECK_THROWS_WITH(Noisy(0.0, {}, {nan, 1, 1, 1}),
                     "preintegrate: the gyroscope's noise density is nan, expected a finite number >= 0");
   CHECK_THROWS_WITH(Noisy(0.0, {}, {1, 1, 1, -1}),
-                    "preintegrate: the walk of the accelerometer's bias is -1, expected a finite number >= 0");
+                    "preintegrate: the random walk of the accelerometer's bias is -1, expected a finite number >= 0");
   CHECK_NOTHROW(Noisy(0.0, {}, {1, 0, 0, 0}));
 }
 

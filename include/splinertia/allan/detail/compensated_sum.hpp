@@ -14,7 +14,7 @@ template <typename Scalar>
 #if __has_builtin(__builtin_assoc_barrier)
   if constexpr (std::floating_point<Scalar>) return __builtin_assoc_barrier(x);
 #elif (defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)) && !defined(__clang__)
-#warning "-ffast-math takes the compensation out of this compiler's sums: Allan deviations lose digits"
+#warning "-ffast-math disables compensated summation with this compiler: Allan deviations lose digits"
 #endif
   return x;
 }

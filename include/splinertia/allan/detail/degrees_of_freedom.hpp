@@ -246,7 +246,7 @@ class CorrelationSum {
   constexpr const char* name = "equivalent_degrees_of_freedom";
   require(shape.differences >= 1 && shape.differences <= 3, name, "differences", shape.differences, "1, 2 or 3");
   require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
-  require(alpha + 2 * shape.differences > 1, name, "alpha", alpha, "one above 1 - 2 differences");
+  require(alpha + 2 * shape.differences > 1, name, "alpha", alpha, "more than 1 - 2 * differences");
   require(m >= 1 && m <= 1'000'000'000'000'000, name, "averaging factor m", m, "an integer from 1 to 10^15");
   require(terms >= 1, name, "number of terms", terms, "an integer >= 1");
   require(stride >= 1, name, "stride", stride, "an integer >= 1");

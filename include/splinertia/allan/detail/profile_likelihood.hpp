@@ -9,6 +9,7 @@
 #include <splinertia/allan/detail/model_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/finite.hpp>
 #include <utility>
 
 namespace splinertia::allan {
@@ -97,6 +98,7 @@ class ProfileLikelihood {
         inside = outside;
         reach *= 2;
         outside = centre + reach;
+        if (!splinertia::is_finite(outside)) return outside;  // the log says nothing of this parameter
       }
       return crossing(excess, inside, outside, drop);
     }

@@ -96,12 +96,12 @@ struct StampIntervals {
         refuse<std::invalid_argument>("sampling: stamp ", index, " is ", time, ", expected a finite number");
       }
     } else if (first && *first < Time::zero() && time > (Time::max)() + *first) {
-      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), " and the first ",
-                                    printable(*first), ", expected a difference that their type can hold");
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), ", the first one ",
+                                    printable(*first), ", expected a difference that fits their type");
     }
     if (last && !(*last < time)) {
-      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), " after ", printable(*last),
-                                    ", expected increasing stamps");
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), ", the one before it ",
+                                    printable(*last), ", expected increasing stamps");
     }
   }
 };

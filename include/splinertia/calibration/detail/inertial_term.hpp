@@ -82,11 +82,12 @@ class InertialTerm {
     require_positive("InertialOptions", "gyro_standard_deviation", options.gyro_standard_deviation);
     require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
     require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
-    require_positive("InertialOptions", "the amount of gravity", options.calibration.gravity.norm());
+    require_positive("InertialOptions", "the magnitude of gravity", options.calibration.gravity.norm());
     require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
     if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
       refuse<std::invalid_argument>("InertialOptions: time_offset is ", options.calibration.time_offset,
-                                    " s, expected at most largest_time_offset, ", options.largest_time_offset);
+                                    " s, expected a magnitude of at most largest_time_offset, ",
+                                    options.largest_time_offset);
     }
     const auto& from = options.calibration;
     if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.arm.p_BI)) {
@@ -102,7 +103,7 @@ class InertialTerm {
         refuse<std::invalid_argument>("IMU sample ", i, " is not finite");
       }
       if (i > 0 && !(time > before)) {
-        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", printable(time), ", expected a later one than ",
+        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", printable(time), ", expected a time after ",
                                       printable(before), ", that of the sample before it");
       }
       before = time;

@@ -44,7 +44,7 @@ template <typename Scalar>
 constexpr void check_together(const Saturation<Scalar>& saturation, const Quantization<Scalar>& quantization) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     require(saturation.limit[axis] >= quantization.least_significant_bit[axis], "Saturation", "limit",
-            saturation.limit[axis], "at least the least significant bit of the Quantization beside it");
+            saturation.limit[axis], "at least the least significant bit of the Quantization term");
   }
 }
 

@@ -19,7 +19,7 @@ struct ScaleFactor {
   /// Throws std::invalid_argument unless the error is finite and not −1, which would lose the signal.
   constexpr ScaleFactor(const PerAxis<Scalar>& error_) : error(error_) {
     require_finite("ScaleFactor", "error", error);
-    for (const Scalar& e : error) require(e != Scalar(-1), "ScaleFactor", "error", e, "a scale that can be inverted");
+    for (const Scalar& e : error) require(e != Scalar(-1), "ScaleFactor", "error", e, "a scale 1 + error other than 0");
   }
 
   void apply(Sample<Scalar>& sample, State&) const {

@@ -76,7 +76,7 @@ struct ColumnPlan {
 /// Parses a list of names. Throws std::invalid_argument, whose message names the option --columns, for an unknown or
 /// repeated name, for a list without a pose, and for an incomplete vector.
 [[nodiscard]] inline ColumnPlan parse_columns(std::string_view list) {
-  constexpr std::string_view expected = "expected names such as t,x,y,z,qx,qy,qz,qw, and - for what is not wanted";
+  constexpr std::string_view expected = "expected names such as t,x,y,z,qx,qy,qz,qw, and - for columns to ignore";
   ColumnPlan plan;
   std::vector<std::string_view> names;
   split_fields(list, names);
@@ -88,22 +88,22 @@ struct ColumnPlan {
     const auto found = std::find(trajectory_column_names.begin(), trajectory_column_names.end(), names[i]);
     const auto place = static_cast<std::size_t>(found - trajectory_column_names.begin());
     if (place == column::ignored && names[i] != "-") {
-      throw std::invalid_argument(message("--columns: ", excerpt(names[i]), " is no column, ", expected));
+      throw std::invalid_argument(message("--columns: ", excerpt(names[i]), " is not a column, ", expected));
     }
     if (place != column::ignored && plan.has(place)) {
-      throw std::invalid_argument(message("--columns: ", names[i], " is there twice, expected once"));
+      throw std::invalid_argument(message("--columns: ", names[i], " appears twice, expected once"));
     }
     plan.places.push_back(place);
   }
   if (!plan.has_pose()) {
-    throw std::invalid_argument(
-        message("--columns: ", excerpt(list, 80), " is no pose, expected x, y, z and qx, qy, qz, qw (or r11 to r33)"));
+    throw std::invalid_argument(message("--columns: ", excerpt(list, 80),
+                                        " is not a pose, expected x, y, z and qx, qy, qz, qw (or r11 to r33)"));
   }
   for (const std::size_t first : {column::velocity, column::gyro_bias, column::accel_bias}) {
     if (!plan.has(first, 3) && (plan.has(first) || plan.has(first + 1) || plan.has(first + 2))) {
-      throw std::invalid_argument(message("--columns: ", excerpt(list, 80), " has ", trajectory_column_names[first],
-                                          ' ', trajectory_column_names[first + 1], ' ',
-                                          trajectory_column_names[first + 2], " in part, expected all or none"));
+      throw std::invalid_argument(message("--columns: ", excerpt(list, 80), " has only part of ",
+                                          trajectory_column_names[first], ' ', trajectory_column_names[first + 1], ' ',
+                                          trajectory_column_names[first + 2], ", expected all or none"));
     }
   }
   return plan;

@@ -57,7 +57,7 @@ namespace splinertia::detail {
     notes.push_back("stamps with decimals are taken as seconds (--time-unit)");
     return TimeUnit::seconds;
   }
-  throw std::runtime_error(message(where, "nothing tells the unit of the stamps",
+  throw std::runtime_error(message(where, "the unit of the stamps is unknown",
                                    stamps.step > 0 ? ": the poses would have " + rates_text(stamps.step) : "",
                                    "; give --time-unit s, ms, us or ns"));
 }
@@ -80,7 +80,8 @@ class LayoutChoice {
     using Kind = TrajectoryFormat::Kind;
     if (!format_.columns.empty()) {
       if (format_.kind != Kind::automatic) {
-        throw std::invalid_argument("--columns: the format has columns of its own, expected --columns or --format");
+        throw std::invalid_argument(
+            "--columns: the format fixes the columns, expected --columns or --format, not both");
       }
       layout_.plan = parse_columns(format_.columns);
       require_columns("--columns " + layout_.plan.text());
@@ -128,7 +129,7 @@ class LayoutChoice {
       layout_.plan.drop_incomplete_vectors();
     }
     require_columns(names + " (--columns)");
-    layout_.notes.push_back(message("columns are ", layout_.plan.text(), " by ", names));
+    layout_.notes.push_back(message("columns are ", layout_.plan.text(), " according to ", names));
     named_ = header.unit;
     if (header.asl) usual_ = TimeUnit::nanoseconds;
   }
@@ -160,8 +161,7 @@ class LayoutChoice {
         names += message(names.empty() ? "" : ", ", known.name);
       }
       fail(head_.columns, head_.columns == 1 ? " column" : " columns",
-           " without names: no trajectory that is recognised; say what they are by --columns, or --format (", names,
-           ')');
+           " without names: not a known trajectory format; give --columns, or --format (", names, ')');
     }
   }
 
@@ -179,12 +179,12 @@ class LayoutChoice {
     }
     if (static_cast<int>(stamps) + static_cast<int>(rate) + static_cast<int>(times) != 1) {
       if (!stamps && !rate) fail("the rows have no stamps (", layout_.plan.text(), "); give --pose-rate or --times");
-      if (!stamps) throw std::invalid_argument("--pose-rate and --times: expected one of them");
+      if (!stamps) throw std::invalid_argument("--pose-rate and --times: expected only one of them");
       throw std::invalid_argument(message(rate ? "--pose-rate" : "--times", ": ", file_.path(),
                                           " has stamps of its own, expected a file without"));
     }
     if (rate && format_.time_unit) {
-      throw std::invalid_argument("--time-unit: there are no stamps, but a --pose-rate; expected one of them");
+      throw std::invalid_argument("--time-unit and --pose-rate: the file has no stamps, expected --pose-rate only");
     }
     if (!stamps) return;
     const auto place = std::find(layout_.plan.places.begin(), layout_.plan.places.end(), column::time);
@@ -201,12 +201,12 @@ class LayoutChoice {
     const ColumnPlan before = layout_.plan;
     layout_.plan.set_order(order);
     if (order_unknown_) {
-      layout_.notes.push_back(message("no header names the columns: ", layout_.plan.text(), " is taken"));
+      layout_.notes.push_back(message("no header names the columns: ", layout_.plan.text(), " assumed"));
     } else if (layout_.plan.places != before.places) {
       if (!format_.columns.empty()) {
-        throw std::invalid_argument("--quaternion-order: --columns says otherwise, expected one of them");
+        throw std::invalid_argument("--quaternion-order: --columns gives another order, expected only one of them");
       }
-      layout_.notes.push_back(message("--quaternion-order is taken, although ", before.text(), " was expected"));
+      layout_.notes.push_back(message("--quaternion-order is used, although ", before.text(), " was expected"));
     }
   }
 
@@ -226,7 +226,7 @@ class LayoutChoice {
       plan.set_order(order);
       return turn_text(plan);
     };
-    fail("nothing tells the order of the quaternion, and either is in use: the first attitude is a turn of ",
+    fail("the order of the quaternion is unknown, both are in use: the first attitude is a rotation of ",
          turn(QuaternionOrder::wxyz), " with w first and of ", turn(QuaternionOrder::xyzw),
          " with w last; give --quaternion-order wxyz or xyzw", taken);
   }

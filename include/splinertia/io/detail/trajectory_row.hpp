@@ -160,7 +160,7 @@ class RowReader {
     const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(off <= 2 * QuaternionTrack::norm_tolerance) || R.determinant() < 0) {
       return BadRow{number, RowFault::not_unit,
-                    message("r11 … r33 are no rotation: R^T R differs from 1 by ", off, ", the determinant is ",
+                    message("r11 … r33 are not a rotation: R^T R differs from I by ", off, ", the determinant is ",
                             R.determinant())};
     }
     attitude_ = Eigen::Quaterniond(Eigen::Matrix3d(R)).normalized();

@@ -121,7 +121,7 @@ class TrajectoryTable {
     const double step = *middle * 1e-9 / seconds_of(layout.unit);
     if (!layout.unit_given && layout.plan.has(column::time) && !is_plausible(step, layout.unit)) {
       throw std::runtime_error(message(path_, ':', lines[0], ": stamps in ", time_unit_name(layout.unit),
-                                       " are too near or too far for poses, which would have ", rates_text(step),
+                                       " give an implausible rate: the poses would have ", rates_text(step),
                                        "; give --time-unit s, ms, us or ns"));
     }
   }

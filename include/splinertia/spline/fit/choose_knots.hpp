@@ -83,8 +83,8 @@ template <typename Curve, StampedPoses Poses>
     enough = enough < most ? (std::min)(2 * enough, most) : most + 1;
   }
   if (enough > most) {
-    refuse<std::runtime_error>("coarsest_knot_interval: with knots ", interval_of(most),
-                               " s apart, as many as there are poses, the residuals still are up to ",
+    refuse<std::runtime_error>("coarsest_knot_interval: even with knots ", interval_of(most),
+                               " s apart, one control point per pose, the RMS residuals are up to ",
                                reached.cwiseQuotient(goal).maxCoeff(), " times the goal");
   }
   while (enough - too_few > std::max<std::size_t>(1, enough / 20)) {

@@ -36,10 +36,10 @@ template <typename Curve>
     for (std::size_t i = 0; i < n; ++i) {
       const double off = to_seconds<double>(time_between(knots.knot(i, Curve::order), poses[i].time));
       if (!(std::abs(off) <= 0.25 * to_seconds<double>(knots.interval))) {
-        refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its place ",
+        refuse<std::invalid_argument>("interpolate: pose ", i, " is ", off, " s from its knot (knots every ",
                                       to_seconds<double>(knots.interval),
-                                      " s apart from the others, expected evenly spaced poses for UniformKnots; "
-                                      "take NonUniformKnots");
+                                      " s), expected evenly spaced poses for UniformKnots; "
+                                      "use NonUniformKnots");
       }
     }
     return {knots, n + k - 2};
@@ -68,7 +68,7 @@ template <typename Curve>
 template <typename Curve, StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] Curve interpolate(const Poses& poses, const CurveEnds<typename Curve::Group>& ends = {}) {
-  static_assert(Curve::order >= 4 && Curve::order % 2 == 0, "an even order of at least 4 has its knots at the poses");
+  static_assert(Curve::order >= 4 && Curve::order % 2 == 0, "interpolate() needs a curve of even order, at least 4");
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
   const auto data = fit_data<Curve>(poses, "interpolate");

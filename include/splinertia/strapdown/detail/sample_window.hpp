@@ -99,7 +99,8 @@ class SampleWindow {
                                       " s: the scheme needs equal intervals");
       }
     }
-    // The sum is finite only if all readings are. That of large readings may exceed most(): examine() decides.
+    // The sum is finite only if all readings are. That of large readings may exceed most(): examine() decides. Readings
+    // beyond largest_factor() that cancel each other in the sum pass.
     const Scalar sum = abs((rate + force).sum());
     if (!(stamps_.follows(time) && sum <= most() && (!finite_math_only || is_finite(sum)))) [[unlikely]]
       examine(time, rate, force);
@@ -140,7 +141,7 @@ class SampleWindow {
     }
     if (!(-most() <= reading && reading <= most())) {
       refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
-                                    "] = ", reading, ", expected ", most(), " at most");
+                                    "] = ", reading, ", expected at most ", most(), " in magnitude");
     }
   }
 

@@ -45,8 +45,8 @@ class Preintegrator {
     if constexpr (has_noise) {
       require_non_negative("preintegrate", "the gyroscope's noise density", noise.gyro_density);
       require_non_negative("preintegrate", "the accelerometer's noise density", noise.accel_density);
-      require_non_negative("preintegrate", "the walk of the gyroscope's bias", noise.gyro_walk);
-      require_non_negative("preintegrate", "the walk of the accelerometer's bias", noise.accel_walk);
+      require_non_negative("preintegrate", "the random walk of the gyroscope's bias", noise.gyro_walk);
+      require_non_negative("preintegrate", "the random walk of the accelerometer's bias", noise.accel_walk);
     }
   }
 

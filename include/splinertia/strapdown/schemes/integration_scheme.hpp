@@ -43,15 +43,15 @@ constexpr bool check_sample() {
   constexpr bool good = SampleFor<S, Scheme, Scalar, Time>;
   constexpr bool timed = HasTime<S, Time> || !requires(const S& s) { s.time; };
   static_assert(timed,
-                "the time of these samples is not of the type that this integrates over: both are double, in seconds, "
-                "or both the same std::chrono::duration, in which an integer has to be wrapped");
+                "the samples must have the same type of time as the integration: double (seconds) or the same "
+                "std::chrono::duration (wrap integer stamps in a duration)");
   static_assert(
       good || !timed || Scheme::takes_increments,
-      "this scheme takes point samples: structs with time, gyro (rad/s) and accel (m/s^2), Eigen's vectors of "
-      "three of the scalar that this integrates in");
+      "this scheme takes point samples: structs with time, gyro (rad/s) and accel (m/s^2), both of them Eigen "
+      "3-vectors of the integration's scalar");
   static_assert(good || !timed || !Scheme::takes_increments,
-                "this scheme takes increments: structs with time, delta_angle (rad) and delta_velocity (m/s), Eigen's "
-                "vectors of three of the scalar that this integrates in");
+                "this scheme takes increments: structs with time, delta_angle (rad) and delta_velocity (m/s), both of "
+                "them Eigen 3-vectors of the integration's scalar");
   return good;
 }
 

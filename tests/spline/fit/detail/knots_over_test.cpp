@@ -103,15 +103,15 @@ TEST_CASE("Knots of one's own") {
 TEST_CASE("Knots that do not reach over the poses are refused") {
   auto poses = ramp<Even>(1, 0.5, 20);
   CHECK(message_of([&] { return knots_over<Even>(poses, {.knots = UniformKnots<double>{1.25, 0.5}}); }) ==
-        "fit: poses from 1 to 10.5, but the knots reach from 1.25 to 10.75; expected them to reach over all poses");
+        "fit: poses from 1 to 10.5, but the knots reach from 1.25 to 10.75; expected knots that cover all poses");
   CHECK(message_of([&] { return knots_over<Even>(poses, {.knots = UniformKnots<double>{20, 0.5}}); }) ==
-        "fit: poses from 1 to 10.5, but the knots reach from 20 to 20.5; expected them to reach over all poses");
+        "fit: poses from 1 to 10.5, but the knots reach from 20 to 20.5; expected knots that cover all poses");
   CHECK(message_of([&] { return knots_over<Even>(poses, {.knots = UniformKnots<double>{1, -1}}); }) ==
         "UniformKnots: interval is -1, expected a positive finite number");
   auto free = ramp<Free>(1, 0.5, 20);
   CHECK(message_of([&] {
           return knots_over<Free>(free, {.knots = NonUniformKnots<double>{{0, 0, 0, 0, 5, 10, 10, 10, 10}}});
-        }) == "fit: poses from 1 to 10.5, but the knots reach from 0 to 10; expected them to reach over all poses");
+        }) == "fit: poses from 1 to 10.5, but the knots reach from 0 to 10; expected knots that cover all poses");
   CHECK(message_of([&] { return knots_over<Free>(free, {.knots = NonUniformKnots<double>{{0, 1, 2}}}); }) ==
         "fit: 3 knots, expected at least 8, twice the order of the curve");
   CHECK(message_of([&] {
@@ -121,14 +121,14 @@ TEST_CASE("Knots that do not reach over the poses are refused") {
 
 TEST_CASE("Knots a hundred times as many as poses are refused before they take memory") {
   auto poses = ramp<Even>(0, 1, 11);
-  CHECK(
-      message_of([&] { return knots_over<Even>(poses, {.knot_interval = 1e-9}); }) ==
-      "fit: knots 1e-09 s apart over 10 s are more than 1100, a hundred times the poses; expected them further apart");
-  CHECK(message_of([&] { return knots_over<Even>(poses, {.knot_interval = 1e-320}); }).find("a hundred times") !=
+  CHECK(message_of([&] { return knots_over<Even>(poses, {.knot_interval = 1e-9}); }) ==
+        "fit: knots 1e-09 s apart over 10 s give more than 1100 segments, a hundred per pose; expected a longer "
+        "interval");
+  CHECK(message_of([&] { return knots_over<Even>(poses, {.knot_interval = 1e-320}); }).find("a hundred per pose") !=
         std::string::npos);
   CHECK(message_of([&] { return knots_over<Even>(poses, {.knots = UniformKnots<double>{-1e12, 1}}); }) ==
-        "fit: knots 1 s apart over 1.00000000001e+12 s are more than 1100, a hundred times the poses; expected them "
-        "further apart");
+        "fit: knots 1 s apart over 1.00000000001e+12 s give more than 1100 segments, a hundred per pose; expected "
+        "a longer interval");
 }
 
 TEST_CASE("Where a fit starts: a straight line is met at once, on any knots") {

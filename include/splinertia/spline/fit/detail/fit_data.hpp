@@ -31,7 +31,7 @@ template <LieGroup G, LieGroup From>
   if constexpr (std::same_as<G, From>) {
     return pose;
   } else {
-    static_assert(Pose<G> && Pose<From>, "the poses are of another group than the curve");
+    static_assert(Pose<G> && Pose<From>, "the group of the poses differs from that of the curve");
     return make_pose<G>(rotation(pose), position(pose));
   }
 }
@@ -54,7 +54,7 @@ template <typename Curve, StampedPoses Poses>
     const Time time = as_time<Time>(pose.time);
     if (!is_finite(pose.time)) fault(i, " is at time ", printable(pose.time), ", expected a finite number");
     if (i > 0 && !(time > data.back().time)) {
-      fault(i, " is at time ", printable(time), ", expected a later one than ", printable(data.back().time),
+      fault(i, " is at time ", printable(time), ", expected a time after ", printable(data.back().time),
             ", that of the pose before it");
     }
     G value = as_group<G>(pose.value);

@@ -97,8 +97,8 @@ template <typename Curve>
     const double segments = (std::max)(1.0, std::ceil(quotient * (1 - 1e-9)));
     const double most = 100 * static_cast<double>(poses.size());
     if (!(segments <= most)) {
-      refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s are more than ", most,
-                                    ", a hundred times the poses; expected them further apart");
+      refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s give more than ", most,
+                                    " segments, a hundred per pose; expected a longer interval");
     }
     return static_cast<std::size_t>(segments);
   };
@@ -128,7 +128,7 @@ template <typename Curve>
   if (first < domain.start || poses.back().time > domain.end) {
     refuse<std::invalid_argument>("fit: poses from ", printable(first), " to ", printable(last),
                                   ", but the knots reach from ", printable(domain.start), " to ", printable(domain.end),
-                                  "; expected them to reach over all poses");
+                                  "; expected knots that cover all poses");
   }
   return {std::move(knots), control_points};
 }
