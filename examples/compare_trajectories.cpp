@@ -73,8 +73,7 @@ void add_options(CLI::App& app, Options& o) {
   auto* estimated = app.add_flag("--estimate-time-offset", o.estimate_time_offset,
                                  "estimate a time offset from both angular speeds, and add it to --time-offset");
   estimated->group(time);
-  app.add_option("--time-offset-range", o.time_offset_range,
-                 "range of the search on both sides of --time-offset [s]")
+  app.add_option("--time-offset-range", o.time_offset_range, "range of the search on both sides of --time-offset [s]")
       ->needs(estimated)
       ->capture_default_str()
       ->group(time);

@@ -81,8 +81,8 @@ void add_imu_options(CLI::App& app, FitImu& imu) {
   file->group(group);
   auto* gyro = app.add_option("--gyro-deviation", imu.gyro_deviation,
                               "standard deviation of a gyroscope sample [rad/s]; default: found in the residuals");
-  auto* accel = app.add_option("--accel-deviation", imu.accel_deviation,
-                               "standard deviation of an accelerometer sample [m/s^2]");
+  auto* accel =
+      app.add_option("--accel-deviation", imu.accel_deviation, "standard deviation of an accelerometer sample [m/s^2]");
   gyro->needs(accel)->needs(file)->group(group);
   accel->needs(gyro)->group(group);
   app.add_flag("--estimate-lever-arm", imu.estimate_lever_arm, "estimate the position of the IMU in the body")

@@ -133,8 +133,7 @@ int main(int argc, char** argv) {
                  "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …")
       ->capture_default_str();
   app.add_flag("--no-plot", options.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
-  app.add_option("--python", options.python,
-                 "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
+  app.add_option("--python", options.python, "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
       ->capture_default_str();
   return run_program("known_noise", app, argc, argv, [&] {
     for (const KnownImu& known : known_imus) run(known, options);

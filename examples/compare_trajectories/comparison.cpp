@@ -88,8 +88,8 @@ Comparison compare(const Poses& reference, Poses estimate, const Options& o) {
     try {
       c.estimated_offset = estimate_time_offset(reference, estimate, {.range = o.time_offset_range});
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message("--estimate-time-offset: ", error.what(),
-                                       " (--time-offset, --time-offset-range)"));
+      throw std::runtime_error(
+          message("--estimate-time-offset: ", error.what(), " (--time-offset, --time-offset-range)"));
     }
     c.time_offset += c.estimated_offset->offset;
     shift(estimate, c.estimated_offset->offset);

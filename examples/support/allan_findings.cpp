@@ -57,8 +57,8 @@ class Findings {
       all_.push_back({"step", begin, end, "s", text, true});
     }
     if (!analysis_.steps.empty()) {
-      all_.push_back({"withheld", 0, 0, "", "a step looks like a random walk: no slow term is reported as detected",
-                      true});
+      all_.push_back(
+          {"withheld", 0, 0, "", "a step looks like a random walk: no slow term is reported as detected", true});
     }
   }
 
@@ -128,11 +128,10 @@ class Findings {
 
   void fit() {
     if (noise_.fits) {
-      all_.push_back(
-          {"fit", 0, 0, "",
-           formatted("the used part of the spectrum agrees with these terms (goodness of fit: p = %.2g)",
-                     noise_.fit_probability),
-           false});
+      all_.push_back({"fit", 0, 0, "",
+                      formatted("the used part of the spectrum agrees with these terms (goodness of fit: p = %.2g)",
+                                noise_.fit_probability),
+                      false});
       return;
     }
     std::string where;
@@ -143,11 +142,11 @@ class Findings {
       where = formatted(": from %.3g to %.3g Hz the power is %.3g times that of the terms", worst->frequencies.lower,
                         worst->frequencies.upper, worst->ratio);
     }
-    all_.push_back({"fit", 0, 0, "",
-                    formatted(
-                        "THESE TERMS DO NOT DESCRIBE THE LOG (goodness of fit: p = %.1g)%s; intervals do not hold",
-                        noise_.fit_probability, where.c_str()),
-                    true});
+    all_.push_back(
+        {"fit", 0, 0, "",
+         formatted("THESE TERMS DO NOT DESCRIBE THE LOG (goodness of fit: p = %.1g)%s; intervals do not hold",
+                   noise_.fit_probability, where.c_str()),
+         true});
   }
 
   void resolution() {
@@ -181,8 +180,8 @@ class Findings {
 
   void descriptions() {
     if (noise_.G.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
-      all_.push_back({"descriptions", 0, 0, "",
-                      "the Gauss-Markov bias may only be the tail of a band that is left out", false});
+      all_.push_back(
+          {"descriptions", 0, 0, "", "the Gauss-Markov bias may only be the tail of a band that is left out", false});
     }
     if (noise_.W.possible && noise_.descriptions.size() == 1 && !noise_.excluded.empty()) {
       all_.push_back(
@@ -190,11 +189,10 @@ class Findings {
     }
     if (const auto finding = descriptions_finding(noise_, kind_)) all_.push_back(*finding);
     if (noise_.G.possible && noise_.descriptions.size() == 1 && noise_.excluded.empty() && !noise_.may_be_drift) {
-      all_.push_back(
-          {"descriptions", 0, 0, "",
-           formatted("its correlation time is %.2g s or less: a filter or a vibration rather than a bias",
-                     noise_.G.time),
-           false});
+      all_.push_back({"descriptions", 0, 0, "",
+                      formatted("its correlation time is %.2g s or less: a filter or a vibration rather than a bias",
+                                noise_.G.time),
+                      false});
     }
   }
 

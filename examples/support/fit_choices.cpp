@@ -25,8 +25,8 @@ void add_knot_options(CLI::App& app, FitChoices& o, const auto& place) {
 void add_smoothness_options(CLI::App& app, FitChoices& o, const auto& add) {
   auto* position = app.add_option("--deviation-position", o.position_deviation,
                                   "standard deviation of a pose's position [m]; default: found in the residuals");
-  auto* rotation = app.add_option("--deviation-rotation", o.rotation_deviation,
-                                  "standard deviation of a pose's rotation [rad]");
+  auto* rotation =
+      app.add_option("--deviation-rotation", o.rotation_deviation, "standard deviation of a pose's rotation [rad]");
   auto* smooth_position = app.add_option("--smooth-position", o.position_density,
                                          "smooth as if the derivative were white noise of this density "
                                          "[m/s^2/sqrt(Hz)], or [m/s^3/sqrt(Hz)]; also for knots closer than poses");

@@ -94,8 +94,8 @@ std::string outliers_text(const FitInput& input, const FittedTrajectory& fitted,
   if (o.interpolate) return "";
   const std::size_t count = fitted.outliers.size();
   if (count == 0) return formatted("outliers: none (%g standard deviations)\n", o.outlier_limit);
-  return formatted("outliers: %zu pose%s by more than %g standard deviations, in seconds from the first pose\n",
-                   count, count == 1 ? " deviates" : "s deviate", o.outlier_limit) +
+  return formatted("outliers: %zu pose%s by more than %g standard deviations, in seconds from the first pose\n", count,
+                   count == 1 ? " deviates" : "s deviate", o.outlier_limit) +
          list(outlier_lines(input.poses, fitted.distances, fitted.outliers, most_lines));
 }
 
@@ -104,11 +104,11 @@ std::string holes_text(const FitInput& input, const FittedTrajectory& fitted, co
   std::string text = count == 0 ? "holes: none\n" : "";
   if (with_imu) text = "holes: none, the IMU measures the curve where there are no poses\n";
   if (count > 0) {
-    text = formatted(
-               "holes: %zu span%s without poses, where the curve is %s; in seconds from the first pose\n", count,
-               count == 1 ? "" : "s",
-               o.position_density ? "determined by the smoothness only" : "as smooth as possible and not measured") +
-           list(hole_lines(fitted.holes, input.poses.front().time, most_lines));
+    text =
+        formatted("holes: %zu span%s without poses, where the curve is %s; in seconds from the first pose\n", count,
+                  count == 1 ? "" : "s",
+                  o.position_density ? "determined by the smoothness only" : "as smooth as possible and not measured") +
+        list(hole_lines(fitted.holes, input.poses.front().time, most_lines));
   }
   if (fitted.held_control_points == 0) return text;
   return text + formatted("regularised: %zu of %zu control points, which poses alone do not determine\n",

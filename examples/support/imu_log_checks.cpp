@@ -45,10 +45,9 @@ void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
   };
   if (sensor.kind == SensorKind::gyro) {
     if (allan::plausible_gyroscope_mean(*mean)) return;
-    say(true,
-        message("gyroscope: its mean is ", short_text(mean->norm()),
-                " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if that is "
-                "right)"));
+    say(true, message("gyroscope: its mean is ", short_text(mean->norm()),
+                      " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if that is "
+                      "right)"));
     return;
   }
   using allan::AccelerometerMean;

@@ -85,8 +85,7 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
   const Clock clock(columns, rate);
   const std::size_t all = columns.rows;
   std::vector<Rows> removed{{0, clock.row_at(options.skip)}};
-  if (removed[0].last + 1 >= all)
-    throw std::invalid_argument(message("--skip: ", options.skip, " s is the whole log"));
+  if (removed[0].last + 1 >= all) throw std::invalid_argument(message("--skip: ", options.skip, " s is the whole log"));
   if (options.until) {
     require_positive("--until", "time", *options.until);
     removed.push_back({clock.row_at(*options.until), all});

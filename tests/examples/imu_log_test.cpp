@@ -243,7 +243,8 @@ TEST_CASE("stretches are left out, with times and without") {
   CHECK(log.left_out[0].begin == 3);
   CHECK(log.left_out[0].end == 5);
   CHECK(log.left_out[1].begin == 7.5);
-  CHECK(line(log, "left out") == "left out: 3 s to 5 s and 7.5 s to 8 s, 500 samples; the parts before and after are joined");
+  CHECK(line(log, "left out") ==
+        "left out: 3 s to 5 s and 7.5 s to 8 s, 500 samples; the parts before and after are joined");
 }
 
 TEST_CASE("the time of a sample counts what is missing") {

@@ -196,10 +196,9 @@ TEST_CASE("OpenVINS' intrinsics become terms") {
 }
 
 TEST_CASE("What it must refuse: file, line and what was expected") {
-  CHECK(
-      refusal("a: 1\n") ==
-      "noise.yaml:1: no IMU noise, expected the keys of Kalibr or OpenVINS (gyroscope_noise_density, ...), VINS "
-      "(gyr_n, ...), ORB-SLAM3 (IMU.NoiseGyro, ...), GTSAM (gyroscopeCovariance, ...)");
+  CHECK(refusal("a: 1\n") ==
+        "noise.yaml:1: no IMU noise, expected the keys of Kalibr or OpenVINS (gyroscope_noise_density, ...), VINS "
+        "(gyr_n, ...), ORB-SLAM3 (IMU.NoiseGyro, ...), GTSAM (gyroscopeCovariance, ...)");
   CHECK(refusal("- 1\n").starts_with("noise.yaml:1: no IMU noise"));
   CHECK(refusal(kalibr_densities + "gyr_n: 1\n") ==
         "noise.yaml:1: keys of Kalibr or OpenVINS (gyroscope_noise_density, ...) and of VINS (gyr_n, ...), expected "
