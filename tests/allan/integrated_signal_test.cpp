@@ -164,7 +164,6 @@ TEST_CASE("What is no log is refused") {
   CHECK(refusal(good, 1e307).find("rate is 1e+307, expected one at which the times and frequencies") !=
         std::string::npos);
   CHECK(refusal(good, 1e304) == "nothing thrown");
-  CHECK(refusal(good, 1e308) == "nothing thrown");
   CHECK(refusal(std::vector<double>{}) == "Allan analysis: 0 values, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2}) == "Allan analysis: 2 values, expected at least 3");
   CHECK(refusal(std::vector<double>{1, 2, not_a_number, 3, infinity}) ==
