@@ -33,7 +33,7 @@ const Target target{
       static InputBytes file("imu.yaml");
       ::ImuNoise noise;
       const bool has_rate = input.flag();
-      const double rate = 1 + input.moderate(1);
+      const double rate = 2 + input.moderate(1);
       const std::string& path = file.with(input.rest());
       if (!accepted(path, [&] { noise = read_imu_noise(path, has_rate ? std::optional(rate) : std::nullopt); })) {
         return;
