@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/profile_likelihood.hpp>
@@ -84,6 +85,16 @@ TEST_CASE("The interval of white noise alone is that of a scale") {
       check_ends(interval, centre, confidence, excess);
     }
   }
+}
+
+TEST_CASE("A log that says nothing of a coefficient does not limit it") {
+  const LogFit log(walking(100), 50);
+  const Fit fit(log.pooled, std::vector<bool>(log.pooled.bins().size(), false));
+  const Likelihood likelihood(fit);
+  const auto interval =
+      Profile(likelihood, {NoiseTerm::white}, likelihood.maximise({NoiseTerm::white})).root(NoiseTerm::white, 0.95);
+  CHECK(interval.lower == 0);
+  CHECK(interval.upper == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("At the ends of a coefficient's interval the likelihood is lower by its level") {
