@@ -9,6 +9,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+import thin_svg
 
 
 def main():
@@ -23,8 +24,7 @@ def main():
     longest = np.argmax(np.diff(times))
     start, end = times[longest], times[longest + 1]
 
-    plt.rcParams.update({"svg.hashsalt": "splinertia", "font.size": 9, "axes.spines.top": False,
-                         "axes.spines.right": False})
+    plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.3), constrained_layout=True)
     for axis in axes:
         axis.axvspan(start, end, color="0.92", label="hole")
@@ -47,7 +47,7 @@ def main():
     named = dict(zip(*reversed(axes[0].get_legend_handles_labels())))
     named.update(zip(*reversed(axes[2].get_legend_handles_labels())))
     figure.legend(named.values(), named.keys(), loc="outside upper center", ncols=len(named), frameon=False, fontsize=8)
-    figure.savefig(arguments.output, metadata={"Date": None} if arguments.output.endswith("svg") else None)
+    thin_svg.save(figure, arguments.output)
 
 
 if __name__ == "__main__":

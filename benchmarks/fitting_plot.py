@@ -15,6 +15,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+import thin_svg
 
 WAYS = {"control_points": ("poses as control points", "C1"), "fit": ("least squares (Huber)", "C0"),
         "inertial": ("least squares with the IMU", "C2"), "interpolation": ("through every pose", "C3")}
@@ -75,7 +76,7 @@ def main():
     if not arguments.output:
         return
 
-    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "splinertia", "axes.grid": True, "grid.alpha": 0.3})
+    plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
     jump = arguments.around if arguments.around is not None else t[np.argmax(off["fit"])]
     figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), layout="constrained")
 
@@ -101,7 +102,7 @@ def main():
         low, high = smooth[around].min(), smooth[around].max()
         axes[2].set_ylim(low - 0.5 * (high - low), high + 0.5 * (high - low))
     axes[2].set(ylabel="specific force, x [m/s²]", xlabel="time [s]", title="What an accelerometer would read")
-    figure.savefig(arguments.output, metadata={"Date": None} if arguments.output.endswith("svg") else None, dpi=120)
+    thin_svg.save(figure, arguments.output)
 
 
 if __name__ == "__main__":

@@ -37,9 +37,9 @@ def main():
     except ImportError:
         sys.exit("strapdown_plot.py: matplotlib is not installed")
     matplotlib.use("svg")
-    matplotlib.rcParams.update({"svg.hashsalt": "splinertia", "svg.fonttype": "none"})  # the same picture every time
     import matplotlib.pyplot as plot
     import matplotlib.ticker
+    import thin_svg
 
     figure, axes = plot.subplots(figsize=(9, 5.5))
     for index, (name, label) in enumerate(NAMES.items()):
@@ -57,7 +57,7 @@ def main():
     axes.grid(True, which="both", alpha=0.25)
     axes.legend(fontsize="small", loc="lower left")
     figure.tight_layout()
-    figure.savefig(arguments.picture, metadata={"Date": None} if arguments.picture.endswith(".svg") else None)
+    thin_svg.save(figure, arguments.picture)
 
 
 if __name__ == "__main__":

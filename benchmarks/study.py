@@ -27,6 +27,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+import thin_svg
 
 PARTS = ("representation", "integrators", "error_terms", "allan")
 SCENES = {"hand_held": "hand-held", "drone": "drone", "wheeled_robot": "wheeled robot", "measured": "measured flight"}
@@ -294,8 +295,8 @@ def set_style():
 
 
 def save(figure, folder, name):
-    figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
-    figure.savefig(folder / f"{name}.png", dpi=130)
+    for form in ("svg", "png"):
+        thin_svg.save(figure, folder / f"{name}.{form}")
     plt.close(figure)
 
 
