@@ -5,9 +5,9 @@
     allan_allantools.py PROGRAM [SAMPLES [REPETITIONS]]           # 10000000 and 5; prints name,value,unit
     allan_allantools.py --text ALLAN [SAMPLES [REPETITIONS]]      # the example program allan, from a text file
 
-Both take the same log and averaging times, one after the other, so that what else the machine does meets both. What is
-timed is from the log in memory to the deviations; with --text from a file of one number of 17 digits a line, which allantools has
-numpy.loadtxt read, without the time that Python takes to import them.
+Both take the same log and averaging times, one after the other, so that other load of the machine slows both. The time
+is that from the log in memory to the deviations. With --text it is from a file with one number of 17 digits per line,
+which allantools reads by numpy.loadtxt; the time of Python's imports is left out.
 """
 import pathlib
 import statistics
@@ -19,7 +19,8 @@ import time
 
 def print_times(ours, theirs):
     ratios = [b / a for a, b in zip(ours, theirs)]
-    for name, values, unit in (("s_splinertia", ours, "s"), ("s_allantools", theirs, "s"), ("times_as_fast", ratios, "1")):
+    for name, values, unit in (("s_splinertia", ours, "s"), ("s_allantools", theirs, "s"),
+                               ("times_as_fast", ratios, "1")):
         for suffix, value in (("min", min(values)), ("median", statistics.median(values)), ("max", max(values))):
             print(f"{name}_{suffix},{value:.4g},{unit}")
 

@@ -79,7 +79,7 @@ def b1_alpha(numpy, rates, m):
 
 
 def stable32_alphas(numpy, rates, identified):
-    """As Stable32 presumably does, where `identified` are the alphas by lag-1 autocorrelation of 30 averages and more."""
+    """As Stable32 presumably does; `identified` are the alphas by lag-1 autocorrelation of 30 averages and more."""
     alphas = []
     for n, alpha in zip(AVERAGES, identified):
         alphas.append(alpha if n >= 30 else b1_alpha(numpy, rates, SAMPLES // n) if n >= 7 else alphas[-1])

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""GTSAM's preintegration on the samples of the benchmark program strapdown, where the Python package gtsam is installed.
+"""GTSAM's preintegration on the samples of the benchmark program strapdown. Needs the Python package gtsam.
 
     strapdown --write-samples FOLDER                     # 100.csv, 200.csv, ...: t, gyro, accel, position, velocity, q
     strapdown_gtsam.py FOLDER                            # name,value,unit
 
-Each interval is given the mean of its two samples, and preintegration begins anew every 0.1 s, as between key frames. The
-time is that of Python's loop, which is most of it.
-"""
+Each interval is given the mean of its two samples, and preintegration begins anew every 0.1 s, as between key frames.
+The time is that of Python's loop, which is most of it."""
 import csv
 import pathlib
 import sys

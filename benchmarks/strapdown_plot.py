@@ -46,7 +46,8 @@ def main():
         if f"ns_{name}" not in figures:
             sys.exit(f"strapdown_plot.py: {arguments.figures}: no figure ns_{name}")
         # Nanoseconds of work for one second of data: the price of a rate.
-        points = [(figures[f"ns_{name}"] * rate / 1000, figures[f"error_{name}_{rate}_Hz"]) for rate in (100, 200, 400, 1000)]
+        points = [(figures[f"ns_{name}"] * rate / 1000, figures[f"error_{name}_{rate}_Hz"])
+                  for rate in (100, 200, 400, 1000)]
         style = "--" if name.endswith("increments") else "-"
         axes.loglog(*zip(*points), style, marker="osD^v<>phX*"[index], color=f"C{index % 10}", label=label)
     axes.set_xticks([2, 5, 10, 20, 50], labels=["2", "5", "10", "20", "50"])

@@ -8,6 +8,16 @@ from plots import BLACK, BLUE, GREEN, ORANGE, PINK, STAR, front, panels, save
 from results import GROUPS, ORDERS, SCENES, SHARE, choice_text, seconds_text
 
 
+def pareto_legend(colours, looks):
+    handles = [plt.Line2D([], [], color=colours[i], label=f"knots {seconds_text(i)} s apart") for i in colours]
+    handles += [plt.Line2D([], [], color="0.3", linestyle="none", marker=marker, markersize=5,
+                           markerfacecolor="0.3" if filled else "white", label=f"{GROUPS[group]}, {scalar}")
+                for (group, scalar), (marker, filled) in looks.items()]
+    handles += [plt.Line2D([], [], color=BLACK, linestyle=":", label="a tenth of the IMU's noise"),
+                plt.Line2D([], [], marker="*", markersize=12, label="recommended", **STAR)]
+    return handles
+
+
 def draw_pareto(data, folder, column, label, noise):
     """Error against ns a sample of sample_imu(): a colour for each knot interval, a front for each."""
     intervals = [i for i in (0.1, 0.05, 0.025, 0.0125) if i in data.intervals]
@@ -44,12 +54,7 @@ def draw_pareto(data, folder, column, label, noise):
         axis.set_xlabel("ns a sample of sample_imu()")
     for axis in axes[::2]:
         axis.set_ylabel(label)
-    handles = [plt.Line2D([], [], color=colours[i], label=f"knots {seconds_text(i)} s apart") for i in intervals]
-    handles += [plt.Line2D([], [], color="0.3", linestyle="none", marker=marker, markersize=5,
-                           markerfacecolor="0.3" if filled else "white", label=f"{GROUPS[group]}, {scalar}")
-                for (group, scalar), (marker, filled) in looks.items()]
-    handles += [plt.Line2D([], [], color=BLACK, linestyle=":", label="a tenth of the IMU's noise"),
-                plt.Line2D([], [], marker="*", markersize=12, label="recommended", **STAR)]
+    handles = pareto_legend(colours, looks)
     figure.legend(handles=handles, loc="outside lower center", ncols=4)
     save(figure, folder, f"representation_pareto_{column.split('_')[0]}")
 

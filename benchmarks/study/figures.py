@@ -48,12 +48,13 @@ def curve_times(rows, intervals):
             smallest, median, largest = range_of(some, f"{way}_")
             at = {interval: min(row[f"{way}_ns_min"] for row in some if row["knot_interval"] == interval)
                   for interval in intervals if kind[1] != "long double"}
-            times.append({**dict(zip(KIND, (*kind, way))), "ns_min": smallest, "ns_median": median, "ns_max": largest, **at})
+            times.append({**dict(zip(KIND, (*kind, way))), **at,
+                          "ns_min": smallest, "ns_median": median, "ns_max": largest})
     return times
 
 
 def curve_errors(rows, data):
-    """Rows of one quantity: f and ω of the plots, the scalars of one curve, all of the curves in the table of errors."""
+    """Rows of one quantity: f and ω for the plots, of one curve in all scalars, and all for the table of errors."""
     for row in rows:
         scene, exact = row["scene"], row["scalar"] == "double"
         compared = (row["group"], row["order"]) == ("SO3xR3", 6) and scene in ("wheeled_robot", data.scenes[0])

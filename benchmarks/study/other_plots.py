@@ -21,8 +21,8 @@ def draw_error_terms(rows, folder):
     figure, axis = plt.subplots(figsize=(9, 7.2), layout="constrained")
     colours = [BLUE if re.fullmatch(r"\w+", row["model"]) else ORANGE for row in rows]
     axis.barh(y, middle - least, left=least, color=colours, height=0.65, alpha=0.85)
-    axis.errorbar(middle, y, xerr=[np.maximum(middle - low, 0), np.maximum(high - middle, 0)], fmt="none", ecolor="0.25",
-                  elinewidth=0.9)
+    axis.errorbar(middle, y, xerr=[np.maximum(middle - low, 0), np.maximum(high - middle, 0)], fmt="none",
+                  ecolor="0.25", elinewidth=0.9)
     for at, row in zip(y, rows):
         axis.annotate(number(row["extra_ns_median"]) if row["extra_ns_median"] > least else "0",
                       (max(row["extra_ns_max"], least), at), textcoords="offset points", xytext=(4, -3), fontsize=7.5)
@@ -48,7 +48,8 @@ def draw_allan(rows, folder):
         for axis, column, name in zip(line, ("white_relative_error", "walk_relative_error"), ("N", "K")):
             some = [row for row in rows if row["samples"] == samples and row[column]]
             for row in some:
-                axis.plot(row["ns_min"], row[column], markers[row["grid"]], color=colours[row["deviation"]], markersize=6)
+                axis.plot(row["ns_min"], row[column], markers[row["grid"]], color=colours[row["deviation"]],
+                          markersize=6)
             best = front([(row["ns_min"], row[column]) for row in some])
             axis.plot([p[0] for p in best], [p[1] for p in best], color="0.5", linewidth=0.9, zorder=0)
             axis.set(xscale="log", ylim=(0, 1.08 * max((row[column] for row in some), default=1)),

@@ -89,8 +89,9 @@ def representation_section(data, folder, machine):
     errors, ratios = table_of_errors(data)
     last = sorted(data.find(scene=data.scenes[0], group="SO3xR3", scalar="double", order=8),
                   key=lambda row: -row["knot_interval"])
-    single, dense = ((data.times(way, group="SO3xR3", scalar="double", order=8)[0]
-                      - data.times(way, group="SO3xR3", scalar="double", order=3)[0]) / 5 for way in ("single", "dense"))
+    curve = dict(group="SO3xR3", scalar="double")
+    single, dense = ((data.times(way, order=8, **curve)[0] - data.times(way, order=3, **curve)[0]) / 5
+                     for way in ("single", "dense"))
     note = f"\n{machine['note']}\n" if machine.get("note") else ""
     return REPRESENTATION.format(
         group=GROUPS["SO3xR3"], orders=table_of_orders(data), cost=table_of_costs(data, folder) + "\n" + note,

@@ -18,7 +18,8 @@ The numbers behind the plots are in [study/](study/).
 | compiler | {compiler}, `{flags}` |
 | measured | {date}, load {load_before} at the beginning, on a shared machine |
 
-Times are CPU time. Every kernel is measured {repetitions} times for some milliseconds, alternating with those that it is compared
+Times are CPU time. Every kernel is measured {repetitions} times for some milliseconds, alternating with those that it
+is compared
 with. Tables have the smallest time and, in brackets, the median and the largest. Compare the smallest, because the
 machine is shared. Errors are exactly reproducible with the same compiler.
 """
@@ -43,7 +44,8 @@ The scenes are sums of sines. [scenes.hpp](../benchmarks/study/scenes.hpp) has t
 | scene | what it is |
 |---|---|
 | hand-held | swings of 0.3 to 1.7 Hz, up to 3 rad/s; tremor at 8 to 9 Hz, 0.1 mm and 1 mrad |
-| drone | turns at 0.4 to 1.6 Hz, several g, up to 10 rad/s; corrections at 4 Hz, shaking at 13 to 15 Hz, 0.05 mm and 3 mrad |
+| drone | turns at 0.4 to 1.6 Hz, several g, up to 10 rad/s; corrections at 4 Hz, shaking at 13 to 15 Hz, 0.05 mm and \
+3 mrad |
 | wheeled robot | an eight of 12 m × 6 m in 25 s; the floor at 2 Hz, 2 mm, and at 11 to 13 Hz, 0.02 mm and 0.3 mrad |
 {measured}
 A curve is fitted to exact poses of the scene with `fit()` in double, at 100 Hz or five poses per knot interval,
@@ -75,7 +77,8 @@ The smallest order for which f and ω are good enough, in double on {group}, for
 - **Order 4 is the minimum for an accelerometer.** With order 3 the acceleration jumps, and the table below shows the
   error.
 - **Close knots are cheap to evaluate but costly otherwise.** Halving the interval doubles the memory and the time of a
-  fit. Knots closer than two or three poses of your data follow their noise. Each higher order costs {per_order}, and no memory.
+  fit. Knots closer than two or three poses of your data follow their noise. Each higher order costs {per_order}, and
+  no memory.
 - A curve fitted to a measured trajectory has lost everything above half the rate of the knots, whatever its order.
 
 ### What it costs
@@ -110,7 +113,8 @@ from the origin; knots in s:
   this error grows.
 - float takes {float_single} of the time of double one by one, and {float_dense} in `sample_imu()`.
 - **long double gains nothing here.** The control points were fitted in double, so more digits in the evaluation change
-  nothing visible. It takes {long_single} times as long one by one, and {long_dense} times in `sample_imu()`, since no vector
+  nothing visible. It takes {long_single} times as long one by one, and {long_dense} times in `sample_imu()`, since no
+  vector
   unit supports it. Use it for checks.
 """
 
@@ -137,7 +141,8 @@ The cost of each scheme, and its own error at {rate:g} Hz:
 
 {cost}
 
-- **Euler saves {euler_saves} ns per sample over the midpoint rule, but its error is {euler_worse} times as large** at {rate:g} Hz. The
+- **Euler saves {euler_saves} ns per sample over the midpoint rule, but its error is {euler_worse} times as large** at
+  {rate:g} Hz. The
   zero-order hold saves nothing.
 - **`{fourth}` is the order-4 scheme to use for point samples.** It spans two intervals at once.
   `RungeKutta4` on single intervals must interpolate between samples and stays at order 2.
@@ -151,7 +156,8 @@ The cost of each scheme, and its own error at {rate:g} Hz:
 
 ERROR_TERMS = """## Error terms
 
-The table has ns per sample of both sensors beyond the empty model, which takes {empty}. Each term is on all axes of both
+The table has ns per sample of both sensors beyond the empty model, which takes {empty}. Each term is on all axes of
+both
 sensors unless the table says otherwise.
 
 ![Time of error terms](study/error_terms.svg)
@@ -186,7 +192,8 @@ truth should be 0.68.
   deviation is no cheaper on a long log.
 - **More averaging times make the estimates worse, not better:** neighbouring points carry the same information, and the
   fit counts it twice.
-- **`identify()` takes {dearer} times as long** as 1-2-5 on a long log, with the same accuracy. Only it finds which of the
+- **`identify()` takes {dearer} times as long** as 1-2-5 on a long log, with the same accuracy. Only it finds which of
+  the
   terms exist ([allan.md](allan.md)).
 - The modified deviation costs three to four times as much on a long log.
 """
