@@ -5,6 +5,7 @@
 #include <splinertia/detail/cpp20.hpp>
 
 #include <cstdlib>
+#include <splinertia/detail/inline.hpp>
 #include <stdexcept>
 
 #ifdef __cpp_exceptions
@@ -55,7 +56,7 @@ void append_part(char* text, std::size_t size, std::size_t& used, const Part& pa
 
 /// Throws an Error whose message is made of the parts. Without exceptions, passes the message to SPLINERTIA_REFUSE.
 template <typename Error, typename... Parts>
-[[noreturn, gnu::cold, gnu::noinline]] void refuse(const Parts&... parts) {
+[[noreturn]] SPLINERTIA_COLD void refuse(const Parts&... parts) {
 #ifdef __cpp_exceptions
   throw Error(message(parts...));
 #else

@@ -10,6 +10,8 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/detail/planar_motion.hpp>
 #include <splinertia/group/detail/rotation.hpp>
 #include <splinertia/group/known_groups.hpp>
@@ -171,19 +173,19 @@ struct ParameterLayout<Product<F...>> {
 
   static G read(const Scalar* numbers) {
     G x;
-    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+    for_each_part([&]<std::size_t Index, typename Factor>(int row) {
       x.template get<Index>() = read_parameters<Factor>(numbers + row);
     });
     return x;
   }
   static void write(const G& x, Scalar* numbers) {
-    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+    for_each_part([&]<std::size_t Index, typename Factor>(int row) {
       write_parameters<Factor>(x.template get<Index>(), numbers + row);
     });
   }
   static Eigen::Matrix<Scalar, size, DofOf<G>> tangent_to_parameters(const G& x) {
     Eigen::Matrix<Scalar, size, DofOf<G>> J = Eigen::Matrix<Scalar, size, DofOf<G>>::Zero();
-    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+    for_each_part([&]<std::size_t Index, typename Factor>(int row) {
       J.template block<parameter_count<Factor>, DofOf<Factor>>(row, G::template offset<Index>) =
           ParameterLayout<Factor>::tangent_to_parameters(x.template get<Index>());
     });
@@ -191,7 +193,7 @@ struct ParameterLayout<Product<F...>> {
   }
   static Eigen::Matrix<Scalar, DofOf<G>, size> parameters_to_tangent(const G& x) {
     Eigen::Matrix<Scalar, DofOf<G>, size> J = Eigen::Matrix<Scalar, DofOf<G>, size>::Zero();
-    for_each_factor([&]<std::size_t Index, typename Factor>(int row) {
+    for_each_part([&]<std::size_t Index, typename Factor>(int row) {
       J.template block<DofOf<Factor>, parameter_count<Factor>>(G::template offset<Index>, row) =
           ParameterLayout<Factor>::parameters_to_tangent(x.template get<Index>());
     });
@@ -200,11 +202,12 @@ struct ParameterLayout<Product<F...>> {
 
  private:
   // Calls f<I, Factor>(row) for each factor; `row` is the index of its first number.
-  static void for_each_factor(const auto& f) {
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      int row = 0;
-      ((f.template operator()<Index, F>(row), row += parameter_count<F>), ...);
-    }(std::index_sequence_for<F...>{});
+  static void for_each_part(const auto& f) {
+    int row = 0;
+    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+      f.template operator()<Index, Factor>(row);
+      row += parameter_count<Factor>;
+    });
   }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <tuple>
 #include <utility>
@@ -97,11 +98,10 @@ struct GroupTraits<Product<G...>> {
   }
   static Scalar drift(const P& x) {
     Scalar worst(0);
-    factors([&]<std::size_t Index, typename F>() {
+    detail::for_each_factor<P>([&]<std::size_t Index, typename F>() {
       if constexpr (requires { GroupTraits<F>::drift(x.template get<Index>()); }) {
         worst = (std::max)(worst, GroupTraits<F>::drift(x.template get<Index>()));
       }
-      return x.template get<Index>();
     });
     return worst;
   }
@@ -134,28 +134,25 @@ struct GroupTraits<Product<G...>> {
   }
 
  private:
-  static constexpr auto indices = std::index_sequence_for<G...>{};
-
   // f<I, F>() gives the result for factor I of type F.
   static P factors(const auto& f) {
     return [&]<std::size_t... Index>(std::index_sequence<Index...>) {
       return P { f.template operator()<Index, G>()... };
-    }(indices);
+    }(std::index_sequence_for<G...>{});
   }
   static Vector tangents(const auto& f) {
     Vector tau;
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      ((tau.template segment<DofOf<G>>(P::template offset<Index>) = f.template operator()<Index, G>()), ...);
-    }(indices);
+    detail::for_each_factor<P>([&]<std::size_t Index, typename F>() {
+      tau.template segment<DofOf<F>>(P::template offset<Index>) = f.template operator()<Index, F>();
+    });
     return tau;
   }
   static Square blocks(const auto& f) {
     Square m = Square::Zero();
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      ((m.template block<DofOf<G>, DofOf<G>>(P::template offset<Index>, P::template offset<Index>) =
-            f.template operator()<Index, G>()),
-       ...);
-    }(indices);
+    detail::for_each_factor<P>([&]<std::size_t Index, typename F>() {
+      constexpr int offset = P::template offset<Index>;
+      m.template block<DofOf<F>, DofOf<F>>(offset, offset) = f.template operator()<Index, F>();
+    });
     return m;
   }
 };

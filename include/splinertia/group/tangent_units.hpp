@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
-#include <utility>
 
 namespace splinertia {
 
@@ -23,10 +23,10 @@ struct TangentUnits {
 template <typename... F>
 struct TangentUnits<Product<F...>> {
   static void for_each(const auto& f) {
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      (TangentUnits<F>::for_each([&](int first, int rows) { f(Product<F...>::template offset<Index> + first, rows); }),
-       ...);
-    }(std::index_sequence_for<F...>{});
+    using G = Product<F...>;
+    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+      TangentUnits<Factor>::for_each([&](int first, int rows) { f(G::template offset<Index> + first, rows); });
+    });
   }
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/random/detail/random_bits.hpp>
 #include <splinertia/random/detail/reproducible_math.hpp>
 #include <splinertia/random/random_stream.hpp>
@@ -65,7 +66,7 @@ class NormalStream {
  public:
   constexpr explicit NormalStream(StreamKey key) : bits_(key) {}
 
-  [[gnu::always_inline]] constexpr double operator()() {
+  SPLINERTIA_ALWAYS_INLINE constexpr double operator()() {
     const std::uint64_t r = bits_();
     const Candidate candidate(r);
     if (candidate.inside()) [[likely]]
@@ -83,7 +84,7 @@ class NormalStream {
   }
 
   /// Uniform in [0, 1), 53 bits.
-  [[gnu::always_inline]] constexpr double uniform() {
+  SPLINERTIA_ALWAYS_INLINE constexpr double uniform() {
     return static_cast<double>(static_cast<std::int64_t>(bits_() >> 11)) * 0x1p-53;
   }
 
@@ -93,11 +94,13 @@ class NormalStream {
     std::size_t index;      // of the layer, + 256 for a negative x
     std::int64_t multiple;  // x in units of scale
 
-    [[gnu::always_inline]] constexpr explicit Candidate(std::uint64_t r)
+    SPLINERTIA_ALWAYS_INLINE constexpr explicit Candidate(std::uint64_t r)
         : index(r & 0x1ff), multiple(static_cast<std::int64_t>(r >> 11)) {}
     /// Whether x is left of the edge of the layer above, so that the point is certainly under the curve.
-    [[nodiscard, gnu::always_inline]] constexpr bool inside() const { return multiple < ziggurat_tables.inside[index]; }
-    [[nodiscard, gnu::always_inline]] constexpr double x() const {
+    [[nodiscard]] SPLINERTIA_ALWAYS_INLINE constexpr bool inside() const {
+      return multiple < ziggurat_tables.inside[index];
+    }
+    [[nodiscard]] SPLINERTIA_ALWAYS_INLINE constexpr double x() const {
       return static_cast<double>(multiple) * ziggurat_tables.scale[index];
     }
     [[nodiscard]] constexpr std::size_t layer() const { return index % ZigguratTables::layers; }
@@ -107,7 +110,7 @@ class NormalStream {
   };
 
   // Continues when the candidate made from r is not inside. Not inlined, to keep it out of the loops that draw.
-  [[gnu::noinline, gnu::cold]] constexpr double go_on(std::uint64_t r) {
+  SPLINERTIA_COLD constexpr double go_on(std::uint64_t r) {
     for (;; r = bits_()) {
       const Candidate candidate(r);
       const double x = candidate.x();

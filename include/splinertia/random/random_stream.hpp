@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <splinertia/detail/inline.hpp>
 #include <string_view>
 
 namespace splinertia {
@@ -60,7 +61,7 @@ class Xoshiro256 {
   static constexpr result_type(min)() { return 0; }
   static constexpr result_type(max)() { return (std::numeric_limits<result_type>::max)(); }
 
-  [[gnu::always_inline]] constexpr result_type operator()() {
+  SPLINERTIA_ALWAYS_INLINE constexpr result_type operator()() {
     auto& [a, b, c, d] = state_;
     const std::uint64_t result = std::rotl(a + d, 23) + a;
     const std::uint64_t t = b << 17;

@@ -14,6 +14,7 @@
 #include <span>
 #include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -90,8 +91,7 @@ template <int D, LieGroup... F, int Order>
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
   using G = Product<F...>;
   Motion<G, D> m;
-  const auto factor = [&]<std::size_t Index>() {
-    using Factor = typename G::template Factor<Index>;
+  detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
     constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
@@ -100,10 +100,7 @@ template <int D, LieGroup... F, int Order>
     if constexpr (D >= 1) m.velocity.template segment<dof>(offset) = f.velocity;
     if constexpr (D >= 2) m.acceleration.template segment<dof>(offset) = f.acceleration;
     if constexpr (D >= 3) m.jerk.template segment<dof>(offset) = f.jerk;
-  };
-  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-    (factor.template operator()<Index>(), ...);
-  }(std::index_sequence_for<F...>{});
+  });
   return m;
 }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/detail/flatten.hpp>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -210,8 +211,7 @@ template <int D, LieGroupWithJacobians... F, int Order>
         for (auto& J : jacobians) J.setZero();
       },
       result);
-  const auto factor = [&]<std::size_t Index>() {
-    using Factor = typename G::template Factor<Index>;
+  detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
     constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };
@@ -224,10 +224,7 @@ template <int D, LieGroupWithJacobians... F, int Order>
           for (std::size_t i = 0; i < own.size(); ++i) whole[i].template block<dof, dof>(offset, offset) = own[i];
         },
         result, f);
-  };
-  [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-    (factor.template operator()<Index>(), ...);
-  }(std::index_sequence_for<F...>{});
+  });
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/lanes.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/spline/detail/nonuniform_basis.hpp>
@@ -167,7 +168,7 @@ struct NonUniformKnots {
     return {static_cast<std::size_t>(std::upper_bound(begin, end, t) - begin), t};
   }
   // place() for t at the end of the domain or outside it.
-  [[nodiscard, gnu::cold]] Place place_at_end(Time t, std::size_t control_points, int order) const {
+  [[nodiscard]] SPLINERTIA_COLD Place place_at_end(Time t, std::size_t control_points, int order) const {
     const Domain<Time> curve = domain(control_points, order);
     detail::assert_inside(curve, t);
     const Time* const begin = knots.data() + order;

@@ -5,6 +5,7 @@
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/chi_square_deviation.hpp>
 
+#include "allan/detail/chi_square_tails.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;

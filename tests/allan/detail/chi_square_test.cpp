@@ -5,6 +5,7 @@
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <stdexcept>
 
+#include "allan/detail/chi_square_tails.hpp"
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
@@ -236,19 +237,15 @@ TEMPLATE_TEST_CASE("What is no probability, degree or deviation is refused", "",
   using T = TestType;
   const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
   for (T degrees : {T(0), T(-1), nan, infinity}) {
-    CHECK_THROWS_AS(chi_square_cdf(T(1), degrees), std::invalid_argument);
     CHECK_THROWS_AS(chi_square_upper_tail(T(1), degrees), std::invalid_argument);
     CHECK_THROWS_AS(chi_square_quantile(T(0.5), degrees), std::invalid_argument);
-    CHECK_THROWS_AS(chi_square_upper_quantile(T(0.5), degrees), std::invalid_argument);
     CHECK_THROWS_AS(deviation_interval(T(1), degrees), std::invalid_argument);
   }
   for (T p : {T(0), T(1), T(-1), T(2), nan, infinity}) {
     CHECK_THROWS_AS(chi_square_quantile(p, T(1)), std::invalid_argument);
-    CHECK_THROWS_AS(chi_square_upper_quantile(p, T(1)), std::invalid_argument);
     CHECK_THROWS_AS(deviation_interval(T(1), T(1), p), std::invalid_argument);
   }
   for (T x : {T(-1), nan, infinity}) {
-    CHECK_THROWS_AS(chi_square_cdf(x, T(1)), std::invalid_argument);
     CHECK_THROWS_AS(chi_square_upper_tail(x, T(1)), std::invalid_argument);
     CHECK_THROWS_AS(deviation_interval(x, T(1)), std::invalid_argument);
   }

@@ -7,6 +7,7 @@
 #include <splinertia/allan/detail/fit_bands.hpp>
 #include <vector>
 
+#include "allan/detail/chi_square_tails.hpp"
 #include "allan/disturbances.hpp"
 #include "allan/log_fit.hpp"
 #include "allan/simulated.hpp"

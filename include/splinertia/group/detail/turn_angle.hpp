@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
-#include <utility>
 
 namespace splinertia {
 
@@ -37,10 +37,10 @@ struct TurnAngle<Product<F...>> {
 
   [[nodiscard]] static ScalarOf<G> of(const Tangent<G>& delta) {
     ScalarOf<G> largest(0);
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      ((largest = (std::max)(largest, TurnAngle<F>::of(delta.template segment<DofOf<F>>(G::template offset<Index>)))),
-       ...);
-    }(std::index_sequence_for<F...>{});
+    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+      const auto part = delta.template segment<DofOf<Factor>>(G::template offset<Index>);
+      largest = (std::max)(largest, TurnAngle<Factor>::of(part));
+    });
     return largest;
   }
 };

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/random/random_stream.hpp>
 #include <type_traits>
 
@@ -24,7 +25,7 @@ class RandomBits {
  public:
   constexpr explicit RandomBits(StreamKey key) : generator_(make(key)) {}
 
-  [[gnu::always_inline]] constexpr std::uint64_t operator()() {
+  SPLINERTIA_ALWAYS_INLINE constexpr std::uint64_t operator()() {
     if constexpr (bits >= 64) {
       return static_cast<std::uint64_t>(generator_());
     } else {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <splinertia/group/detail/for_each_factor.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
@@ -24,10 +25,10 @@ struct TangentParts {
 template <typename... F>
 struct TangentParts<Product<F...>> {
   static void for_each(const auto& f) {
-    [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      (f(std::integral_constant<int, Product<F...>::template offset<Index>>{}, std::integral_constant<int, DofOf<F>>{}),
-       ...);
-    }(std::index_sequence_for<F...>{});
+    using G = Product<F...>;
+    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+      f(std::integral_constant<int, G::template offset<Index>>{}, std::integral_constant<int, DofOf<Factor>>{});
+    });
   }
 };
 
