@@ -21,8 +21,8 @@ using Vector = Eigen::Vector3d;
 
 namespace {
 
-using Sample = TimedImuSample<double, double>;
-using Increment = TimedImuIncrement<double, double>;
+using Sample = ImuSample<>;
+using Increment = ImuIncrement<>;
 
 constexpr double duration = 10;
 constexpr std::array<double, 4> rates{100, 200, 400, 1000};

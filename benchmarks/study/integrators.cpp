@@ -33,8 +33,8 @@ namespace {
 using namespace splinertia;
 
 using State = NavState<double>;
-using Point = TimedImuSample<double, double>;
-using Increment = TimedImuIncrement<double, double>;
+using Point = ImuSample<>;
+using Increment = ImuIncrement<>;
 
 constexpr double duration = 10;  // s
 

@@ -75,7 +75,7 @@ std::optional<Truth> at(const TrueStates& truth, nanoseconds time, double longes
                {mix(bias_a.gyro, bias_b.gyro), mix(bias_a.accel, bias_b.accel)}};
 }
 
-State imu_state(const State& body, const LeverArm<double>& arm, const Eigen::Vector3d& omega) {
+State imu_state(const State& body, const Mounting<double>& arm, const Eigen::Vector3d& omega) {
   State imu = body;
   imu.R_WB = body.R_WB * arm.R_BI;
   imu.p_WB += body.R_WB * arm.p_BI;

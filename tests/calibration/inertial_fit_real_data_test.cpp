@@ -52,9 +52,9 @@ TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its 
   options.estimate_lever_arm = options.estimate_time_offset = true;
   const auto all = calibrate_imu(alone.spline, samples, options);
   CHECK(all.converged);
-  INFO("lever arm " << all.calibration.arm.p_BI.transpose() << " m, time offset " << all.calibration.time_offset
+  INFO("lever arm " << all.calibration.mounting.p_BI.transpose() << " m, time offset " << all.calibration.time_offset
                     << " s");
-  CHECK(all.calibration.arm.p_BI.norm() < 0.03);
+  CHECK(all.calibration.mounting.p_BI.norm() < 0.03);
   CHECK(std::abs(all.calibration.time_offset) < 0.002);
 
   // Both together, over 15 s in flight: the curve agrees with the accelerometer far better, and still with the poses.

@@ -39,7 +39,7 @@ void for_each_vector(const Stamped<SO3xR3<double>>& sample, const auto& visit) {
   visit("rotation", rotation(sample.value).unit_quaternion().coeffs());
   visit("position", position(sample.value));
 }
-void for_each_vector(const EurocImu& sample, const auto& visit) {
+void for_each_vector(const ImuSample<double, std::chrono::nanoseconds>& sample, const auto& visit) {
   visit("gyro", sample.gyro);
   visit("accel", sample.accel);
 }

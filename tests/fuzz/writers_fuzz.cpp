@@ -31,7 +31,7 @@ void expect_written(const std::vector<Sample>& samples, const auto& write, const
 const Target target{
     "writers", [](Input input) {
       std::vector<EurocState> states;
-      std::vector<EurocImu> samples;
+      std::vector<ImuSample<double, std::chrono::nanoseconds>> samples;
       std::vector<Stamped<SO3xR3<double>>> poses;
       std::chrono::nanoseconds time{input.bits<std::int64_t>()};
       Eigen::Vector4d before = Eigen::Vector4d::Zero();

@@ -23,11 +23,11 @@ using test::error_of;
 
 namespace {
 
-std::vector<EurocImu> samples(int size) {
+std::vector<ImuSample<double, nanoseconds>> samples(int size) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   const auto vector = [&] { return Eigen::Vector3d::NullaryExpr([&] { return normal(random); }).eval(); };
-  std::vector<EurocImu> result;
+  std::vector<ImuSample<double, nanoseconds>> result;
   for (int i = 0; i < size; ++i)
     result.push_back({nanoseconds{1403636579758555392 + 5'000'000LL * i}, vector(), vector()});
   return result;
@@ -47,7 +47,7 @@ TEST_CASE("samples read back to the same bits, written at once or one by one") {
     REQUIRE(read[i].accel == written[i].accel);
   }
   EurocImuWriter writer(folder / "stream.csv");
-  for (const EurocImu& sample : written) writer.append(sample);
+  for (const ImuSample<double, nanoseconds>& sample : written) writer.append(sample);
   CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
   writer.commit();
   CHECK(content(folder / "stream.csv") == content(folder / "imu.csv"));
@@ -116,7 +116,7 @@ TEST_CASE("comments between samples are passed over when they are read") {
 TEST_CASE("the file looks like EuRoC's") {
   const test::TemporaryDirectory folder;
   write_euroc_imu(folder / "imu.csv",
-                  std::vector<EurocImu>{{nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
+                  std::vector<ImuSample<double, nanoseconds>>{{nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
   CHECK(content(folder / "imu.csv") ==
         "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
         "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n"

@@ -71,7 +71,7 @@ TEST_CASE("a set that is not committed leaves nothing") {
 
 TEST_CASE("every writer can commit to a set") {
   const test::TemporaryDirectory folder;
-  const EurocImu sample{std::chrono::nanoseconds(1), {0, 0, 1}, {0, 0, 9.81}};
+  const ImuSample<double, std::chrono::nanoseconds> sample{std::chrono::nanoseconds(1), {0, 0, 1}, {0, 0, 9.81}};
   EurocState state{};
   state.time = sample.time;
   FileSet set;

@@ -5,7 +5,7 @@
 
 using namespace splinertia;
 
-void push(Integrator<Midpoint, double>& integrator, const TimedImuSample<double, double>& sample) {
+void push(Integrator<Midpoint, double>& integrator, const ImuSample<>& sample) {
   integrator.push(sample);
 }
 

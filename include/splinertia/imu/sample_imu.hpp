@@ -74,12 +74,12 @@ class ImuSamples {
 
 /// The lever arm with numbers of type S.
 template <typename S, typename Scalar>
-[[nodiscard]] inline LeverArm<S> with_scalar(const LeverArm<Scalar>& arm) {
+[[nodiscard]] inline Mounting<S> with_scalar(const Mounting<Scalar>& arm) {
   return {splinertia::with_scalar<S>(arm.R_BI), splinertia::with_scalar<S>(arm.p_BI)};
 }
 
 /// Computes samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant
-/// memory. With a LeverArm as the last argument, the IMU is mounted on it. All else as for sample_imu() below.
+/// memory. With a Mounting as the last argument, the IMU is mounted on it. All else as for sample_imu() below.
 template <typename C, typename... Arm>
   requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Arm) <= 1)
 void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
@@ -119,7 +119,7 @@ template <typename C>
 [[nodiscard]] ImuSamples<typename C::Group> sample_imu(const C& curve, typename C::Time start,
                                                        typename C::Time interval, std::size_t count,
                                                        const Vector3<ScalarOf<typename C::Group>>& gravity,
-                                                       const LeverArm<ScalarOf<typename C::Group>>& arm) {
+                                                       const Mounting<ScalarOf<typename C::Group>>& arm) {
   ImuSamples<typename C::Group> samples;
   sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity, arm);
   return samples;

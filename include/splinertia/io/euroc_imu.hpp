@@ -17,12 +17,6 @@
 
 namespace splinertia {
 
-/// One sample: angular velocity [rad/s] and specific force [m/s²] in B.
-struct EurocImu {
-  std::chrono::nanoseconds time;
-  Eigen::Vector3d gyro, accel;
-};
-
 inline constexpr std::array<std::string_view, 7> euroc_imu_columns{
     "timestamp [ns]",    "w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]",
     "a_RS_S_x [m s^-2]", "a_RS_S_y [m s^-2]",   "a_RS_S_z [m s^-2]"};
@@ -36,9 +30,9 @@ inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
 
 /// Reads the samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with
 /// file:line for the first error (StampedTable).
-[[nodiscard]] inline std::vector<EurocImu> read_euroc_imu(const std::filesystem::path& path) {
+[[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_euroc_imu(const std::filesystem::path& path) {
   return read_stamped_table(path, euroc_imu_layout,
-                            [](const StampedTable& row) { return EurocImu{row.time(), row.vector(1), row.vector(4)}; });
+                            [](const StampedTable& row) { return ImuSample<double, std::chrono::nanoseconds>{row.time(), row.vector(1), row.vector(4)}; });
 }
 
 /// Writes a EuRoC IMU file sample by sample, in constant memory. The file appears with commit() and reads back to the

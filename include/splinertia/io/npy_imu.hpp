@@ -85,9 +85,9 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
 
 /// Reads the samples in a file that NpyImuWriter or numpy.save wrote, with the same bits. Throws std::runtime_error
 /// with file and byte or row for the first error: what NpyReader refuses, NaN, infinity, times that do not increase.
-[[nodiscard]] inline std::vector<EurocImu> read_npy_imu(const std::filesystem::path& path) {
+[[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_npy_imu(const std::filesystem::path& path) {
   NpyReader file(path, npy_imu_dtype, npy_imu_size);
-  std::vector<EurocImu> samples;
+  std::vector<ImuSample<double, std::chrono::nanoseconds>> samples;
   samples.reserve(file.expected_rows());
   const auto vector = [&](const char* name, std::size_t offset) {
     Eigen::Vector3d result;

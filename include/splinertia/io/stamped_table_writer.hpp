@@ -23,10 +23,6 @@
 
 namespace splinertia {
 
-/// Has a `time` in seconds or as an integer duration. Files have whole nanoseconds; seconds are rounded to the nearest.
-template <typename T>
-concept WithTime = TimePoint<std::remove_cvref_t<decltype(std::declval<const T&>().time)>>;
-
 /// Writes a table row by row, in constant memory. The file appears with commit(). Members throw std::runtime_error if
 /// the file cannot be written, and std::invalid_argument for what StampedTable would refuse: NaN, infinity, times that
 /// do not increase, no rows.

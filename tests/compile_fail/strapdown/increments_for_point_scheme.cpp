@@ -8,6 +8,6 @@
 
 using namespace splinertia;
 
-void f(const std::vector<TimedImuIncrement<double, double>>& increments) {
+void f(const std::vector<ImuIncrement<>>& increments) {
   (void)integrate<Midpoint>(NavState<double>{}, increments);
 }

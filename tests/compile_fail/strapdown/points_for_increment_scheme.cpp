@@ -8,6 +8,6 @@
 
 using namespace splinertia;
 
-void f(Integrator<TwoSampleIncrements, double>& integrator, const TimedImuSample<double, double>& sample) {
+void f(Integrator<TwoSampleIncrements, double>& integrator, const ImuSample<>& sample) {
   integrator.push(sample);
 }

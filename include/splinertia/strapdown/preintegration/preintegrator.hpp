@@ -58,11 +58,11 @@ class Preintegrator {
       // check_sample() has already given the error message.
     } else if constexpr (Scheme::takes_increments) {
       const Scalar h = window_.since_last(sample.time);
-      window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
+      window_.push(ImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
                                                    sample.delta_velocity - bias.accel * h},
                    step());
     } else {
-      window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel},
+      window_.push(ImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel},
                    step());
     }
   }
