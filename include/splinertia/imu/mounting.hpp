@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <splinertia/group/known_groups.hpp>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/with_scalar.hpp>
 
@@ -10,14 +10,21 @@ namespace splinertia {
 /// Where an IMU is in the body that carries it. By default it is the body frame itself.
 template <typename Scalar = double>
 struct Mounting {
-  Sophus::SO3<Scalar> R_BI{};                        ///< rotates vectors from the IMU's axes to the body's
-  Vector3<Scalar> p_BI = Vector3<Scalar>::Zero();    ///< the IMU's origin in the body (lever arm), m
+  Sophus::SO3<Scalar> R_BI{};                      ///< rotates vectors from the IMU's axes to the body's
+  Vector3<Scalar> p_BI = Vector3<Scalar>::Zero();  ///< the IMU's origin in the body (lever arm), m
 };
 
 template <typename Scalar>
 Mounting(const Sophus::SO3<Scalar>&) -> Mounting<Scalar>;
 template <typename Scalar, typename Position>
 Mounting(const Sophus::SO3<Scalar>&, const Position&) -> Mounting<Scalar>;
+
+/// Throws std::invalid_argument unless the mounting is finite.
+template <typename Scalar>
+void require_finite(const char* whose, const Mounting<Scalar>& mounting) {
+  require_all_finite(whose, "the lever arm p_BI", mounting.p_BI);
+  require_all_finite(whose, "the rotation R_BI", mounting.R_BI.unit_quaternion().coeffs());
+}
 
 /// The mounting with numbers of type S.
 template <typename S, typename Scalar>

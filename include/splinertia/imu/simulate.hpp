@@ -54,10 +54,7 @@ class Simulation {
         gravity_(options.gravity),
         clock_("simulate", motion_, options),
         key_(StreamKey(options.seed) / options.imu) {
-    if constexpr (requires { mounting.p_BI; }) {
-      require_all_finite("simulate", "the lever arm p_BI", mounting.p_BI);
-      require_all_finite("simulate", "the rotation R_BI", mounting.R_BI.unit_quaternion().coeffs());
-    }
+    if constexpr (!std::is_same_v<Mount, detail::NotMounted>) require_finite("simulate", mounting);
   }
 
   /// The number of samples taken. Both ends are sampled if they fall on a sample. Dropped samples are counted, too.
