@@ -135,7 +135,8 @@ const std::string& text(std::size_t n) {
     char row[longest_row];
     all.clear();
     rows = std::min(n, most_text);
-    for (const ImuSample<double, nanoseconds>& sample : samples(rows)) all.append(row, static_cast<std::size_t>(format(row, sample) - row));
+    for (const ImuSample<double, nanoseconds>& sample : samples(rows))
+      all.append(row, static_cast<std::size_t>(format(row, sample) - row));
   }
   return all;
 }

@@ -61,8 +61,8 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
   Integrator<Scheme, double, nanoseconds> integrator(state, setup.gravity, gaps);
   try {
     for (std::size_t i = first; i <= last; ++i) {
-      integrator.push(ImuSample<double, nanoseconds>{samples[i].time, samples[i].gyro - bias.gyro,
-                                                          samples[i].accel - bias.accel});
+      integrator.push(
+          ImuSample<double, nanoseconds>{samples[i].time, samples[i].gyro - bias.gyro, samples[i].accel - bias.accel});
     }
     integrator.finish();
   } catch (const std::invalid_argument& error) {
@@ -93,8 +93,9 @@ Row reckon(const Inputs& in, double window, const Options& o) {
       ++first;
       continue;
     }
-    const auto next = std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(), target,
-                                       [](const ImuSample<double, nanoseconds>& sample, nanoseconds t) { return sample.time < t; });
+    const auto next =
+        std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(), target,
+                         [](const ImuSample<double, nanoseconds>& sample, nanoseconds t) { return sample.time < t; });
     auto last = static_cast<std::size_t>(next - samples.begin());
     const bool nearer_before = next == samples.end() || target - samples[last - 1].time < samples[last].time - target;
     if (nearer_before && last - 1 > first) --last;

@@ -37,7 +37,7 @@ void Output::append(const StampedImuReading<double, nanoseconds>& reading, const
   const ImuSample<double, nanoseconds> imu{reading.time, reading.gyro, reading.accel};
   imu_csv_.append(imu);
   if (imu_npy_) imu_npy_->append(imu);
-  groundtruth_csv_.append(EurocState{truth.time, pose, truth.v_WB, reading.gyro_bias, reading.accel_bias});
+  groundtruth_csv_.append(EurocState{{truth.time, pose}, truth.v_WB, reading.gyro_bias, reading.accel_bias});
   poses_tum_.append(Stamped<SO3xR3<double>>{truth.time, pose});
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its 
   std::vector<Stamped<SO3xR3<double>>> poses;
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero(), accel_bias = Eigen::Vector3d::Zero();
   for (const auto& state : states) {
-    poses.push_back({state.time, state.pose});
+    poses.push_back({state.time, state.value});
     gyro_bias += state.gyro_bias / static_cast<double>(states.size());
     accel_bias += state.accel_bias / static_cast<double>(states.size());
   }

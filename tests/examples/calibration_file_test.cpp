@@ -47,7 +47,8 @@ TEST_CASE("What is written is read to the same bits") {
   CHECK(read.calibration.accel_bias == imu.calibration.accel_bias);
   CHECK(read.calibration.gravity == imu.calibration.gravity);
   CHECK(read.calibration.mounting.p_BI == imu.calibration.mounting.p_BI);
-  CHECK(read.calibration.mounting.R_BI.unit_quaternion().coeffs() == imu.calibration.mounting.R_BI.unit_quaternion().coeffs());
+  CHECK(read.calibration.mounting.R_BI.unit_quaternion().coeffs() ==
+        imu.calibration.mounting.R_BI.unit_quaternion().coeffs());
   CHECK(read.calibration.time_offset == imu.calibration.time_offset);
   CHECK(read.standard_deviation.gyro_bias == imu.standard_deviation.gyro_bias);
   CHECK(read.standard_deviation.accel_bias == imu.standard_deviation.accel_bias);

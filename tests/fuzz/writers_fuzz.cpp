@@ -44,7 +44,7 @@ const Target target{
         if (q.dot(before) < 0) q = -q;
         before = q;
         const SO3xR3<double> pose{rotation_from_unit_quaternion<double>(Eigen::Quaterniond{q}), vector(input)};
-        states.push_back({time, pose, vector(input), vector(input), vector(input)});
+        states.push_back({{time, pose}, vector(input), vector(input), vector(input)});
         samples.push_back({time, states.back().velocity, states.back().gyro_bias});
         poses.push_back({time, pose});
         time = std::chrono::nanoseconds{static_cast<std::int64_t>(

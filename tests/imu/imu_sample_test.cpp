@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/imu_measurement.hpp>
-#include <splinertia/imu/simulate.hpp>
 #include <splinertia/imu/imu_sample.hpp>
+#include <splinertia/imu/simulate.hpp>
 
 #include "support/catch.hpp"
 

@@ -90,7 +90,7 @@ TEST_CASE("times that are no numbers, or the same nanosecond, are refused") {
     return error_of<std::invalid_argument>([&] {
       EurocImuWriter writer(folder / "imu.csv");
       for (const double time : {first, second})
-        writer.append(ImuReading{time, {1, 2, 3}, {4, 5, 6}, {0, 0, 0}, {0, 0, 0}});
+        writer.append(ImuReading{{time, {1, 2, 3}, {4, 5, 6}}, {0, 0, 0}, {0, 0, 0}});
     });
   };
   CHECK(error(0, std::numeric_limits<double>::quiet_NaN()).find("nan") != std::string::npos);
@@ -115,8 +115,8 @@ TEST_CASE("comments between samples are passed over when they are read") {
 
 TEST_CASE("the file looks like EuRoC's") {
   const test::TemporaryDirectory folder;
-  write_euroc_imu(folder / "imu.csv",
-                  std::vector<ImuSample<double, nanoseconds>>{{nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
+  write_euroc_imu(folder / "imu.csv", std::vector<ImuSample<double, nanoseconds>>{
+                                          {nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
   CHECK(content(folder / "imu.csv") ==
         "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
         "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n"

@@ -82,7 +82,7 @@ TEST_CASE("every writer can commit to a set") {
   imu.append(sample);
   npy.append(sample);
   truth.append(state);
-  tum.append(Stamped<SO3xR3<double>>{sample.time, state.pose});
+  tum.append(Stamped<SO3xR3<double>>{sample.time, state.value});
   imu.commit(set);
   npy.commit(set);
   truth.commit(set);

@@ -37,7 +37,8 @@ std::vector<ImuSample<double, nanoseconds>> samples(int size) {
   return result;
 }
 
-void check_same(const std::vector<ImuSample<double, nanoseconds>>& a, const std::vector<ImuSample<double, nanoseconds>>& b) {
+void check_same(const std::vector<ImuSample<double, nanoseconds>>& a,
+                const std::vector<ImuSample<double, nanoseconds>>& b) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -84,7 +85,8 @@ TEST_CASE("samples in seconds are written as the same in nanoseconds") {
 
 TEST_CASE("the file is what NumPy's format says, byte by byte") {
   const test::TemporaryDirectory folder;
-  write_npy_imu(folder / "imu.npy", std::vector<ImuSample<double, nanoseconds>>{{nanoseconds{258}, {1, -2, 0.5}, {0, 3, -0.25}}});
+  write_npy_imu(folder / "imu.npy",
+                std::vector<ImuSample<double, nanoseconds>>{{nanoseconds{258}, {1, -2, 0.5}, {0, 3, -0.25}}});
   const std::string dict =
       "{'descr': [('time_ns', '<i8'), ('gyro', '<f8', (3,)), ('accel', '<f8', (3,))], 'fortran_order': False, "
       "'shape': (1,), }";

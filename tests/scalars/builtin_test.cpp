@@ -96,8 +96,8 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::NavIncrement<Scalar>;                                                         \
   template struct splinertia::StepMean<Scalar>;                                                             \
   template struct splinertia::StepMoments<Scalar>;                                                          \
-  template struct splinertia::ImuSample<Scalar, nanoseconds>;                                          \
-  template struct splinertia::ImuIncrement<Scalar, nanoseconds>;                                       \
+  template struct splinertia::ImuSample<Scalar, nanoseconds>;                                               \
+  template struct splinertia::ImuIncrement<Scalar, nanoseconds>;                                            \
   template struct splinertia::Magnus4::Weights<Scalar>;                                                     \
   template struct splinertia::GapOptions<Scalar>;                                                           \
   template struct splinertia::RotatingFrame<Scalar>;                                                        \
@@ -222,8 +222,8 @@ NavState<Scalar, Scalar> integrated() {
     } else if (i > 0) {
       const auto begin = imu(static_cast<Scalar>(i - 1) * h), middle = imu((static_cast<Scalar>(i) - Scalar(0.5)) * h);
       integrator.push(ImuIncrement<Scalar, Scalar>{static_cast<Scalar>(i) * h,
-                                                        (begin.gyro + 4 * middle.gyro + end.gyro) * (h / 6),
-                                                        (begin.accel + 4 * middle.accel + end.accel) * (h / 6)});
+                                                   (begin.gyro + 4 * middle.gyro + end.gyro) * (h / 6),
+                                                   (begin.accel + 4 * middle.accel + end.accel) * (h / 6)});
     }
   }
   integrator.finish();

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <splinertia/calibration/imu_calibration.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/random/normal.hpp>
 #include <splinertia/random/random_stream.hpp>
-#include <splinertia/imu/imu_sample.hpp>
 #include <vector>
 
 namespace splinertia::testing {
@@ -40,9 +40,9 @@ std::vector<Stamped<G, double>> poses_along(const auto& motion, double start, do
 }
 
 /// What the IMU reads from `start` to `end` of its own clock, with white noise of these standard deviations.
-inline std::vector<ImuSample<>> samples_along(const auto& motion, const ImuCalibration<double>& imu,
-                                                                 double start, double end, double rate,
-                                                                 double gyro_noise, double accel_noise, StreamKey key) {
+inline std::vector<ImuSample<>> samples_along(const auto& motion, const ImuCalibration<double>& imu, double start,
+                                              double end, double rate, double gyro_noise, double accel_noise,
+                                              StreamKey key) {
   NormalStream normal(key / "samples");
   std::vector<ImuSample<>> samples;
   const auto count = static_cast<int>(std::lround((end - start) * rate));

@@ -124,7 +124,8 @@ inline InertialOptions<double> inertial_options(const FitImu& imu) {
 
 /// The residuals of the samples within the curve.
 inline FittedImu describe_imu(const CalibratedImu<double>& calibrated, const InertialOptions<double>& options,
-                              const FittedTrajectory& fitted, const std::vector<ImuSample<double, nanoseconds>>& samples) {
+                              const FittedTrajectory& fitted,
+                              const std::vector<ImuSample<double, nanoseconds>>& samples) {
   FittedImu imu{calibrated, options.gyro_standard_deviation, options.accel_standard_deviation};
   for (const ImuSample<double, nanoseconds>& sample : samples) {
     const nanoseconds time = after(sample.time, calibrated.calibration.time_offset);

@@ -13,10 +13,10 @@
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/spline/kinematics_jacobians.hpp>
-#include <splinertia/imu/imu_sample.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -74,8 +74,7 @@ class InertialTerm {
   /// Samples outside the curve or inside its `gaps` are left out. Throws std::invalid_argument for a sample that is not
   /// finite or not later than the one before it, for bad options, and if no sample is left.
   template <std::ranges::forward_range Samples>
-    requires ImuSampleOf<std::ranges::range_value_t<Samples>, Scalar,
-                       std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>
+    requires ImuSampleLike<std::ranges::range_value_t<Samples>>
   InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve,
                const std::vector<FitGap<Time>>& gaps = {})
       : options_(options) {

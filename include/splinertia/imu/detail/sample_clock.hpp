@@ -23,9 +23,7 @@ class SampleClock {
   /// `options`: SimulationOptions. Throws std::invalid_argument, in the name of the function `whose`, as simulate() does
   /// for rate, start and end.
   SampleClock(const char* whose, const auto& motion, const auto& options)
-      : rate_(options.rate),
-        start_(options.start.value_or(motion.start())),
-        end_(options.end.value_or(motion.end())) {
+      : rate_(options.rate), start_(options.start.value_or(motion.start())), end_(options.end.value_or(motion.end())) {
     if (!(rate_ > 0 && is_finite(rate_))) {
       refuse<std::invalid_argument>(whose, ": rate is ", rate_, " Hz, expected a positive finite number");
     }

@@ -10,9 +10,9 @@
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/strapdown/detail/sample_stamps.hpp>
 #include <splinertia/strapdown/gap_options.hpp>
-#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>

@@ -5,8 +5,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
-#include <splinertia/strapdown/detail/sample_window.hpp>
 #include <splinertia/imu/imu_sample.hpp>
+#include <splinertia/strapdown/detail/sample_window.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 #include <splinertia/time.hpp>
 
