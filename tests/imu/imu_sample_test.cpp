@@ -29,3 +29,19 @@ TEST_CASE("What has time, gyro and accel is a sample; what has sums is an increm
   STATIC_CHECK_FALSE(ImuIncrementOf<ImuSample<>, double, double>);
   STATIC_CHECK_FALSE(ImuSampleOf<Own, double, nanoseconds>);  // seconds do not become ticks unasked
 }
+
+TEST_CASE("Writers take samples over any time and of any scalar") {
+  STATIC_CHECK(ImuSampleLike<Own>);
+  STATIC_CHECK(ImuSampleLike<StampedImuReading<float, nanoseconds>>);
+  STATIC_CHECK(ImuIncrementLike<ImuIncrement<float, nanoseconds>>);
+  STATIC_CHECK_FALSE(ImuSampleLike<NoTime>);
+  STATIC_CHECK_FALSE(ImuSampleLike<ImuIncrement<>>);
+  STATIC_CHECK_FALSE(ImuSampleLike<int>);
+}
+
+TEST_CASE("A simulated reading is a sample") {
+  const ImuReading reading{{1.5, {1, 2, 3}, {4, 5, 6}}, {7, 8, 9}, {10, 11, 12}};
+  const ImuSample<> sample = reading;  // without the biases
+  CHECK(sample.time == 1.5);
+  CHECK(sample.accel == reading.accel);
+}

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <random>
+#include <splinertia/evaluation/trajectory_association.hpp>
 #include <splinertia/io/euroc_groundtruth.hpp>
+#include <splinertia/io/tum.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -68,6 +70,18 @@ TEST_CASE("states read back to the same bits, written at once or one by one") {
   CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
   writer.commit();
   CHECK(content(folder / "stream.csv") == content(folder / "gt.csv"));
+}
+
+TEST_CASE("states are poses for other functions") {
+  const test::TemporaryDirectory folder;
+  const auto written = states(20);
+  STATIC_CHECK(StampedPoses<std::vector<EurocState>>);
+  write_tum(folder / "gt.tum", written);
+  const auto poses = read_tum(folder / "gt.tum");
+  REQUIRE(poses.size() == written.size());
+  CHECK(poses[7].time == written[7].time);
+  CHECK(position(poses[7].value) == position(written[7].value));
+  CHECK(associate(written, written).size() == written.size());
 }
 
 TEST_CASE("the file looks like EuRoC's") {

@@ -9,6 +9,7 @@
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/motion/ellipse.hpp>
+#include <splinertia/spline/spline.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -82,6 +83,27 @@ TEMPLATE_TEST_CASE("times of any kind are written in nanoseconds", "", float, do
   CHECK(read[0].time == to_nanoseconds(TestType(-3)));
   CHECK(read[1].time == to_nanoseconds(TestType(2)));
   CHECK(read[1].accel == Eigen::Vector3d(4, 5, 7));
+}
+
+TEST_CASE("what simulate() yields is written as it comes, whatever its time") {
+  const test::TemporaryDirectory folder;
+  const Ellipse<> motion;  // in seconds
+  const auto readings = simulate(motion, Imu{}, {.rate = 100, .start = 0.0, .end = 1.0});
+  write_euroc_imu(folder / "imu.csv", readings);
+  const std::vector<ImuSample<double, nanoseconds>> read = read_euroc_imu(folder / "imu.csv");
+  REQUIRE(read.size() == 101);
+  auto reading = readings.begin();
+  for (const auto& sample : read) {
+    CHECK(sample.time == to_nanoseconds(reading->time));
+    CHECK(sample.gyro == reading->gyro);
+    CHECK(sample.accel == reading->accel);
+    ++reading;
+  }
+  const std::vector<SO3xR3<double>> points(8);
+  const Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>> curve(
+      {.start = nanoseconds(1'400'000'000'000'000'001), .interval = nanoseconds(100'000'000)}, points);
+  write_euroc_imu(folder / "ns.csv", simulate(curve, Imu{}, {.rate = 100}));
+  CHECK(read_euroc_imu(folder / "ns.csv").front().time.count() == 1'400'000'000'000'000'001);
 }
 
 TEST_CASE("times that are no numbers, or the same nanosecond, are refused") {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <splinertia/imu/imu.hpp>
 #include <string_view>
 #include <tuple>
 
@@ -46,7 +45,7 @@ template <typename Scalar, typename Model>
 
 }  // namespace detail
 
-/// The densities of an IMU's WhiteNoise and RandomWalk terms, for preintegrate() and estimators:
+/// The densities of an Imu's WhiteNoise and RandomWalk terms, for preintegrate() and estimators:
 ///
 ///   preintegrate<Midpoint>(samples, bias, imu_noise(presets::euroc))
 ///
@@ -54,8 +53,12 @@ template <typename Scalar, typename Model>
 /// largest counts, so that the noise of no axis is underestimated. All other terms are ignored: turn-on and other
 /// biases, BiasInstability, GaussMarkov, QuantizationNoise, vibration, scale and bandwidth are not what these four
 /// numbers can express.
-template <typename Scalar = double, typename Gyro, typename Accel, typename Stamps>
-[[nodiscard]] ImuNoise<Scalar> imu_noise(const Imu<Gyro, Accel, Stamps>& imu) {
+template <typename Scalar = double, typename Sensors>
+  requires requires(const Sensors& imu) {
+    imu.gyro.terms();
+    imu.accel.terms();
+  }
+[[nodiscard]] ImuNoise<Scalar> imu_noise(const Sensors& imu) {
   constexpr std::string_view white = "white noise", walk = "random walk";
   return {detail::density_of<Scalar>(imu.gyro, white), detail::density_of<Scalar>(imu.accel, white),
           detail::density_of<Scalar>(imu.gyro, walk), detail::density_of<Scalar>(imu.accel, walk)};
