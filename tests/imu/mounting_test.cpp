@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE("Simulated samples are those of ideal_imu, in SIMD packs and 
 TEST_CASE("Errors are in the axes of the IMU and do not depend on its mounting") {
   const Imu noisy{ErrorModel{WhiteNoise{0.01}, RandomWalk{1e-3}}, ErrorModel{WhiteNoise{0.1}}};
   const auto options = [](std::uint64_t imu) {
-    return SimulationOptions<double, double>{.rate = 50, .seed = 7, .imu = imu, .start = 0.0, .end = 2.0};
+    return SimulationOptions<>{.rate = 50, .seed = 7, .imu = imu, .start = 0.0, .end = 2.0};
   };
   const Ellipse<> motion;
   const auto mounted = simulate(motion, noisy, mounting, options(0)),

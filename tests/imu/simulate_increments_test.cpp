@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("A spline is integrated from knot to knot", "", UniformKnots<
   }();
   const double start = curve.start() + 0.013;
   double worst = 0, across = 0;
-  const SimulationOptions<double, double> options{.rate = 7, .start = start, .end = start + 1};
+  const SimulationOptions<> options{.rate = 7, .start = start, .end = start + 1};
   const WithoutKnots<std::remove_cvref_t<decltype(curve)>> smooth{curve};
   const auto unsplit = to_vector(simulate_increments(smooth, Imu{}, options));
   std::size_t i = 0;

@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE("Stamps in nanoseconds since an epoch lose nothing", "", Midp
   const auto from_zero = readings<TestType>(testing::regular_stamps(200));
   const auto run = [&](nanoseconds epoch) {
     NavState<double, nanoseconds> start{initial().R_WB, initial().v_WB, initial().p_WB, epoch};
-    Integrator<TestType, double, nanoseconds> integrator(start);
+    Integrator integrator(TestType{}, start);
     std::int64_t i = TestType::takes_increments ? 1 : 0;
     for (const auto& reading : from_zero) {
       const nanoseconds time = epoch + nanoseconds(5'000'000 * i++);

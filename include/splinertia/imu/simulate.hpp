@@ -24,7 +24,7 @@
 
 namespace splinertia {
 
-template <typename Scalar, TimePoint Time>
+template <typename Scalar = double, TimePoint Time = double>
 struct SimulationOptions {
   double rate = 200;                                     ///< samples per second, Hz
   std::uint64_t seed = 0;                                ///< of the run; the same seed gives the same samples

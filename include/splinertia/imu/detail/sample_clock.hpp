@@ -29,7 +29,7 @@ class SampleClock {
     }
     if (const auto interval = static_cast<Scalar>(1 / rate_); !(interval > Scalar(0) && is_finite(interval)))
       refuse<std::invalid_argument>(whose, ": rate is ", rate_, " Hz, expected a finite, non-zero interval 1/rate");
-    require_all_finite(whose, "gravity", options.gravity);
+    for (int axis = 0; axis < 3; ++axis) require_finite(whose, "gravity", options.gravity[axis]);
     if (options.start) require_finite(whose, "start", printable(start_));
     if (options.end) require_finite(whose, "end", printable(end_));
     if (!(motion.start() <= start_ && start_ <= end_ && end_ <= motion.end())) {
