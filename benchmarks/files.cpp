@@ -35,8 +35,8 @@ constexpr std::size_t longest_row = 256;      // characters of a row of csv
 constexpr std::size_t most_text = 1'000'000;  // rows to parse again and again
 
 /// The first n samples of a log: a slow motion, and noise so that all digits of the numbers are there.
-std::span<const EurocImu> samples(std::size_t n) {
-  static std::vector<EurocImu> all;
+std::span<const ImuSample<double, nanoseconds>> samples(std::size_t n) {
+  static std::vector<ImuSample<double, nanoseconds>> all;
   if (all.size() < n) {
     std::mt19937_64 bits(1);
     std::normal_distribution<double> normal(0, 0.1);
@@ -108,7 +108,7 @@ void read_npy(std::size_t n) { benchmark::keep(read_npy_imu(npy_file(n))); }
 // The bounds.
 
 /// One row; returns its end. What any writer of shortest numbers has to do.
-char* format(char* to, const EurocImu& sample) {
+char* format(char* to, const ImuSample<double, nanoseconds>& sample) {
   to = std::to_chars(to, to + 32, sample.time.count()).ptr;
   for (const double value :
        {sample.gyro.x(), sample.gyro.y(), sample.gyro.z(), sample.accel.x(), sample.accel.y(), sample.accel.z()}) {
@@ -121,7 +121,7 @@ char* format(char* to, const EurocImu& sample) {
 
 void run_to_chars(std::size_t n) {
   char row[longest_row];
-  for (const EurocImu& sample : samples(n)) {
+  for (const ImuSample<double, nanoseconds>& sample : samples(n)) {
     format(row, sample);
     benchmark::keep(row);
   }
@@ -135,7 +135,8 @@ const std::string& text(std::size_t n) {
     char row[longest_row];
     all.clear();
     rows = std::min(n, most_text);
-    for (const EurocImu& sample : samples(rows)) all.append(row, static_cast<std::size_t>(format(row, sample) - row));
+    for (const ImuSample<double, nanoseconds>& sample : samples(rows))
+      all.append(row, static_cast<std::size_t>(format(row, sample) - row));
   }
   return all;
 }
@@ -190,7 +191,7 @@ void read_bytes(const std::filesystem::path& path) {
 /// As many samples in memory that the process did not have before, as a reader returns them.
 void run_memory(std::size_t n) {
   const auto from = samples(n);
-  benchmark::keep(std::vector<EurocImu>(from.begin(), from.end()));
+  benchmark::keep(std::vector<ImuSample<double, nanoseconds>>(from.begin(), from.end()));
 }
 
 void write_csv_bytes(std::size_t n) { write_bytes(csv_file(n), new_file("bytes", n)); }

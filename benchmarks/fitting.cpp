@@ -29,7 +29,7 @@ namespace {
 
 using Pose3 = SO3xR3<double>;
 using Poses = std::vector<Stamped<Pose3, double>>;
-using Samples = std::vector<TimedImuSample<double, double>>;
+using Samples = std::vector<ImuSample<>>;
 
 constexpr double rate = 200, knot_interval = 0.05;
 
@@ -52,7 +52,7 @@ std::span<const Stamped<Pose3, double>> poses(std::size_t n) {
   return {all.data(), n};
 }
 
-std::span<const TimedImuSample<double, double>> samples(std::size_t n) {
+std::span<const ImuSample<>> samples(std::size_t n) {
   static Samples all;
   if (all.size() < n) {
     all.clear();
@@ -149,15 +149,15 @@ Curve poses_as_control_points(const std::vector<Stamped<Pose3>>& data, double in
 }
 
 /// Lines of `ns gx gy gz ax ay az`, separated by commas or blanks.
-std::vector<TimedImuSample<double, nanoseconds>> read_imu(const std::filesystem::path& path) {
+std::vector<ImuSample<double, nanoseconds>> read_imu(const std::filesystem::path& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(message(path.string(), ": cannot be read"));
-  std::vector<TimedImuSample<double, nanoseconds>> imu;
+  std::vector<ImuSample<double, nanoseconds>> imu;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line.front() == '#') continue;
     std::replace(line.begin(), line.end(), ',', ' ');
     std::istringstream words(line);
-    TimedImuSample<double, nanoseconds> sample{};
+    ImuSample<double, nanoseconds> sample{};
     std::int64_t ticks = 0;
     words >> ticks >> sample.gyro.x() >> sample.gyro.y() >> sample.gyro.z() >> sample.accel.x() >> sample.accel.y() >>
         sample.accel.z();

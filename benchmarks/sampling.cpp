@@ -110,7 +110,8 @@ benchmark::Kernel one_by_one(const std::string& name) {
             in_runs(calls, [&](std::size_t count) {
               for (std::size_t i = 0; i < count; ++i) {
                 const auto motion = curve->template evaluate<2>(times(i));
-                (*samples)[i] = {ideal_imu(motion, standard_gravity<Scalar>()), motion.value};
+                const auto [gyro, accel] = ideal_imu(motion, standard_gravity<Scalar>());
+                (*samples)[i] = {{times(i), gyro, accel}, motion.value};
               }
               benchmark::keep(*samples);
             });

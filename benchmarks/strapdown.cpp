@@ -21,8 +21,8 @@ using Vector = Eigen::Vector3d;
 
 namespace {
 
-using Sample = TimedImuSample<double, double>;
-using Increment = TimedImuIncrement<double, double>;
+using Sample = ImuSample<>;
+using Increment = ImuIncrement<>;
 
 constexpr double duration = 10;
 constexpr std::array<double, 4> rates{100, 200, 400, 1000};
@@ -137,7 +137,7 @@ void run_preintegration(std::size_t calls) {
         return Noise{1e-3, 1e-2, 1e-5, 1e-4};
       }
     }();
-    Preintegrator<Midpoint, double, double, Noise> preintegrator(0.0, {}, noise);
+    Preintegrator preintegrator(Midpoint{}, 0.0, ImuBias<>{}, noise);
     for (std::size_t i = 0; i < n; ++i) preintegrator.push(all[i]);
     benchmark::keep(preintegrator.result());
     calls -= n;

@@ -38,7 +38,7 @@ struct Row {
   std::size_t skipped = 0;                     // number of windows without a sample or a true state at their end
 };
 
-using Samples = std::vector<EurocImu>;
+using Samples = std::vector<ImuSample<double, nanoseconds>>;
 
 struct Inputs {
   Samples samples;
@@ -54,15 +54,15 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
   const Setup& setup = in.setup;
   const ImuBias<double> bias{setup.gyro_bias.value_or(start.bias.gyro), setup.accel_bias.value_or(start.bias.accel)};
   // The IMU is fixed to the body, so both have the same angular velocity.
-  State state = imu_state(start.state, setup.arm, setup.arm.R_BI * (samples[first].gyro - bias.gyro));
+  State state = imu_state(start.state, setup.mounting, setup.mounting.R_BI * (samples[first].gyro - bias.gyro));
   state.time = samples[first].time;
-  const State truth = imu_state(end, setup.arm, Eigen::Vector3d::Zero());  // its velocity is not used
+  const State truth = imu_state(end, setup.mounting, Eigen::Vector3d::Zero());  // its velocity is not used
   const GapOptions<double> gaps{o.longest_gap, o.bridge ? GapPolicy::bridge : GapPolicy::refuse};
   Integrator<Scheme, double, nanoseconds> integrator(state, setup.gravity, gaps);
   try {
     for (std::size_t i = first; i <= last; ++i) {
-      integrator.push(TimedImuSample<double, nanoseconds>{samples[i].time, samples[i].gyro - bias.gyro,
-                                                          samples[i].accel - bias.accel});
+      integrator.push(
+          ImuSample<double, nanoseconds>{samples[i].time, samples[i].gyro - bias.gyro, samples[i].accel - bias.accel});
     }
     integrator.finish();
   } catch (const std::invalid_argument& error) {
@@ -93,8 +93,9 @@ Row reckon(const Inputs& in, double window, const Options& o) {
       ++first;
       continue;
     }
-    const auto next = std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(), target,
-                                       [](const EurocImu& sample, nanoseconds t) { return sample.time < t; });
+    const auto next =
+        std::lower_bound(samples.begin() + static_cast<std::ptrdiff_t>(first) + 1, samples.end(), target,
+                         [](const ImuSample<double, nanoseconds>& sample, nanoseconds t) { return sample.time < t; });
     auto last = static_cast<std::size_t>(next - samples.begin());
     const bool nearer_before = next == samples.end() || target - samples[last - 1].time < samples[last].time - target;
     if (nearer_before && last - 1 > first) --last;

@@ -64,7 +64,7 @@ class Run {
         const auto motion = truth_.evaluate<2>(time);
         const TrueState state = nav_state(motion, time);
         const auto measured = ideal_imu(motion, options_.gravity.vector);
-        ideal_.add(EurocImu{time, measured.gyro, measured.accel}, state);
+        ideal_.add(ImuSample<double, nanoseconds>{time, measured.gyro, measured.accel}, state);
         if (arrived) {
           noisy_.add(*reading, state);
           output_.append(*reading, state);

@@ -77,7 +77,7 @@ TEST_CASE("Input that is not finite is refused") {
     using State = NavState<double>;
     const State rest{Sophus::SO3d(), {0, 0, 0}, {0, 0, 0}, 0.0};
     const auto integrate_samples = [](const State& initial, double reading, double time) {
-      std::vector<TimedImuSample<double, double>> samples(4, {0, {0, 0, 0}, {0, 0, 9.8}});
+      std::vector<ImuSample<>> samples(4, {0, {0, 0, 0}, {0, 0, 9.8}});
       for (std::size_t i = 1; i < samples.size(); ++i) samples[i].time = 0.01 * static_cast<double>(i);
       samples[2].gyro[1] = reading;
       samples[3].time = time;
@@ -86,7 +86,7 @@ TEST_CASE("Input that is not finite is refused") {
     CHECK_NOTHROW(integrate_samples(rest, 0, 0.03));
     CHECK_THROWS_AS(integrate_samples(rest, x, 0.03), std::invalid_argument);
     CHECK_THROWS_AS(integrate_samples(rest, 0, x), std::invalid_argument);
-    std::vector<TimedImuSample<double, double>> first(1, {x, {0, 0, 0}, {0, 0, 9.8}});
+    std::vector<ImuSample<>> first(1, {x, {0, 0, 0}, {0, 0, 9.8}});
     CHECK_THROWS_AS(integrate<Midpoint>(rest, first), std::invalid_argument);
     CHECK_THROWS_AS(integrate<Midpoint>(State{Sophus::SO3d(), {0, 0, 0}, {0, 0, 0}, x}, first), std::invalid_argument);
     CHECK_THROWS_AS((Integrator<Midpoint, double>(rest, {0, 0, 0}, {.longest = x})), std::invalid_argument);

@@ -58,7 +58,7 @@ TEST_CASE("std, std::chrono, Eigen, Sophus and splinertia are used together") {
   CHECK_THAT(motions[50].velocity[5], WithinAbs(1, 1e-6));
 
   const auto readings = simulate(curve, Imu{ErrorModel{WhiteNoise{1e-3}}, ErrorModel{}}, {.rate = 200, .seed = 1});
-  vector<TimedImuSample<double, nanoseconds>> samples;
+  vector<ImuSample<double, nanoseconds>> samples;
   for (const auto& reading : readings) samples.push_back({reading.time, reading.gyro, reading.accel});
   const auto states = integrate<Midpoint>(nav_state(curve.evaluate<1>(curve.start()), curve.start()), samples);
   CHECK((states.back().p_WB - curve.evaluate<0>(states.back().time).value.translation()).norm() < 0.05);

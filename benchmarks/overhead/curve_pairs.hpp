@@ -29,7 +29,7 @@ template <typename G>
 struct Mounted {
   Cubic<G> curve;
   Vector gravity;
-  LeverArm<double> arm;
+  Mounting<double> mounting;
 };
 
 }  // namespace
@@ -114,13 +114,13 @@ Pose1 se3_evaluate1_by_hand(const PlainPoses& curve, double t) {
   return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity);
 }
 [[gnu::noinline]] ImuMeasurement<double> so3xr3_imu_lever_arm(const Mounted<Split>& imu, double t) {
-  return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity, imu.arm);
+  return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity, imu.mounting);
 }
 [[gnu::noinline]] ImuMeasurement<double> se3_imu(const Mounted<SE3>& imu, double t) {
   return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity);
 }
 [[gnu::noinline]] ImuMeasurement<double> se3_imu_lever_arm(const Mounted<SE3>& imu, double t) {
-  return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity, imu.arm);
+  return ideal_imu(imu.curve.evaluate<2>(t), imu.gravity, imu.mounting);
 }
 
 PlainMeasurement so3xr3_imu_by_hand(const PlainMounted& imu, double t) {

@@ -77,7 +77,7 @@ template <typename Sensors>
   const double interval = sampling_interval();
   const auto* ideal = measurements().data();
   const std::size_t count = measurements().size();
-  ImuErrors<Sensors, double, double> errors(sensors, StreamKey(0) / std::uint64_t{0});
+  ImuErrors errors(sensors, StreamKey(0) / std::uint64_t{0});
   typename decltype(errors)::Reading reading;
   for (std::size_t i = 0; i < calls; ++i) {
     if (!errors.apply(static_cast<double>(i) * interval, ideal[i % count], interval, reading)) continue;

@@ -33,8 +33,8 @@ namespace {
 using namespace splinertia;
 
 using State = NavState<double>;
-using Point = TimedImuSample<double, double>;
-using Increment = TimedImuIncrement<double, double>;
+using Point = ImuSample<>;
+using Increment = ImuIncrement<>;
 
 constexpr double duration = 10;  // s
 
@@ -182,7 +182,7 @@ Scheme scheme(const std::string& name) {
             return errors;
           },
           [](const Run& run) {
-            Integrator<S, double> integrator(run.truth.front());
+            Integrator<S> integrator(run.truth.front());
             for (const auto& sample : samples_for<S>(run)) integrator.push(sample);
             integrator.finish();
             keep(integrator.state());

@@ -27,7 +27,7 @@ Setup setup(const Options& o, bool trajectory_has_biases) {
     const std::string source = o.calibration.string();
     s.gyro_bias = calibration.gyro_bias;
     s.accel_bias = calibration.accel_bias;
-    s.arm = calibration.arm;
+    s.mounting = calibration.mounting;
     s.time_offset = calibration.time_offset;
     s.gyro_bias_source = s.accel_bias_source = s.arm_source = source;
     if (!o.gravity_given) {
@@ -44,7 +44,7 @@ Setup setup(const Options& o, bool trajectory_has_biases) {
     s.accel_bias_source = "--accel-bias";
   }
   if (o.lever_arm) {
-    s.arm.p_BI = *o.lever_arm;
+    s.mounting.p_BI = *o.lever_arm;
     s.arm_source = "--lever-arm";
   }
   if (o.keep_biases) {
@@ -77,9 +77,9 @@ std::string mounting_text(const Setup& s) {
   if (!s.arm_source.empty()) {
     text += formatted(
         "lever arm %s m from %s; true states are moved to the IMU, velocities with the gyro's first reading\n",
-        vector_text(s.arm.p_BI).c_str(), s.arm_source.c_str());
+        vector_text(s.mounting.p_BI).c_str(), s.arm_source.c_str());
   }
-  const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(s.arm.R_BI) / units::degree;
+  const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(s.mounting.R_BI) / units::degree;
   if (turn.norm() > 0) text += formatted("rotation vector of the IMU's axes %s deg\n", vector_text(turn).c_str());
   if (s.time_offset != 0) text += formatted("time offset %.9g s added to the IMU's times\n", s.time_offset);
   return text;

@@ -12,7 +12,7 @@
 struct Setup {
   std::optional<Eigen::Vector3d> gyro_bias, accel_bias;  // none: from the trajectory file
   std::string gyro_bias_source, accel_bias_source;       // empty: not removed
-  splinertia::LeverArm<double> arm{Sophus::SO3d(), Eigen::Vector3d::Zero()};
+  splinertia::Mounting<double> mounting{};
   std::string arm_source;  // empty: the poses are those of the IMU
   Eigen::Vector3d gravity;
   std::string gravity_source;

@@ -75,10 +75,10 @@ std::optional<Truth> at(const TrueStates& truth, nanoseconds time, double longes
                {mix(bias_a.gyro, bias_b.gyro), mix(bias_a.accel, bias_b.accel)}};
 }
 
-State imu_state(const State& body, const LeverArm<double>& arm, const Eigen::Vector3d& omega) {
+State imu_state(const State& body, const Mounting<double>& mounting, const Eigen::Vector3d& omega) {
   State imu = body;
-  imu.R_WB = body.R_WB * arm.R_BI;
-  imu.p_WB += body.R_WB * arm.p_BI;
-  imu.v_WB += body.R_WB * omega.cross(arm.p_BI);
+  imu.R_WB = body.R_WB * mounting.R_BI;
+  imu.p_WB += body.R_WB * mounting.p_BI;
+  imu.v_WB += body.R_WB * omega.cross(mounting.p_BI);
   return imu;
 }

@@ -36,4 +36,5 @@ struct TrueStates {
 
 /// The state of an IMU mounted on the body, with l = p_BI and the body's angular velocity ω in body axes:
 ///   R_WI = R_WB R_BI,  p_WI = p_WB + R_WB l,  v_WI = v_WB + R_WB (ω × l)
-[[nodiscard]] State imu_state(const State& body, const splinertia::LeverArm<double>& arm, const Eigen::Vector3d& omega);
+[[nodiscard]] State imu_state(const State& body, const splinertia::Mounting<double>& mounting,
+                              const Eigen::Vector3d& omega);

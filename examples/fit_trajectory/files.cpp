@@ -90,7 +90,7 @@ std::string write_readings(EurocImuWriter& file, const FittedTrajectory& fitted,
     if (hole && !o.keep_holes) continue;
     if (hole && hole != last_hole) file.comment(hole_comment(fitted.holes[*hole]));
     last_hole = hole;
-    file.append(EurocImu{reading.time, reading.gyro, reading.accel});
+    file.append(reading);
   }
   if (fitted.holes.empty()) return "";
   return formatted("%zu of %zu readings are inside holes and %s\n", invented, readings.size(),

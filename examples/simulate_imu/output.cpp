@@ -34,10 +34,9 @@ Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& 
 
 void Output::append(const StampedImuReading<double, nanoseconds>& reading, const TrueState& truth) {
   const SO3xR3<double> pose{truth.R_WB, truth.p_WB};
-  const EurocImu imu{reading.time, reading.gyro, reading.accel};
-  imu_csv_.append(imu);
-  if (imu_npy_) imu_npy_->append(imu);
-  groundtruth_csv_.append(EurocState{truth.time, pose, truth.v_WB, reading.gyro_bias, reading.accel_bias});
+  imu_csv_.append(reading);
+  if (imu_npy_) imu_npy_->append(reading);
+  groundtruth_csv_.append(EurocState{{truth.time, pose}, truth.v_WB, reading.gyro_bias, reading.accel_bias});
   poses_tum_.append(Stamped<SO3xR3<double>>{truth.time, pose});
 }
 

@@ -92,7 +92,7 @@ Sophus::SO3d rotation_of(const YamlReader& entry) {
 std::string calibration_text(const CalibratedImu<double>& imu) {
   const ImuCalibration<double>& c = imu.calibration;
   const auto& deviation = imu.standard_deviation;
-  const Eigen::Quaterniond& q = c.arm.R_BI.unit_quaternion();
+  const Eigen::Quaterniond& q = c.mounting.R_BI.unit_quaternion();
   std::string text = header;
   append_list(text, "gyro_bias", c.gyro_bias, false, "rad/s");
   append_list(text, "gyro_bias_standard_deviation", deviation.gyro_bias, true, "rad/s");
@@ -101,7 +101,7 @@ std::string calibration_text(const CalibratedImu<double>& imu) {
   append_list(text, "gravity", c.gravity, false, "m/s^2, acceleration of free fall in the world");
   append_list(text, "gravity_direction_standard_deviation", deviation.gravity_direction, true,
               "rad, in two directions perpendicular to it");
-  append_list(text, "lever_arm", c.arm.p_BI, false, "m, p_BI: the IMU in the body");
+  append_list(text, "lever_arm", c.mounting.p_BI, false, "m, p_BI: the IMU in the body");
   append_list(text, "lever_arm_standard_deviation", deviation.lever_arm, true, "m");
   text += message("rotation: {w: ", checked("rotation", q.w(), false), ", x: ", checked("rotation", q.x(), false),
                   ", y: ", checked("rotation", q.y(), false), ", z: ", checked("rotation", q.z(), false),
@@ -131,7 +131,7 @@ CalibratedImu<double> read_calibration(const std::filesystem::path& path) {
   c.gyro_bias = vector(file, "gyro_bias");
   c.accel_bias = vector(file, "accel_bias");
   c.gravity = vector(file, "gravity");
-  c.arm = {rotation_of(file["rotation"]), vector(file, "lever_arm")};
+  c.mounting = {rotation_of(file["rotation"]), vector(file, "lever_arm")};
   c.time_offset = file["time_offset"].number();
   auto& deviation = imu.standard_deviation;
   deviation.gyro_bias = deviations<3>(file, "gyro_bias_standard_deviation");

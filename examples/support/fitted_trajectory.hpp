@@ -30,7 +30,7 @@ struct FitInput {
 /// A recorded IMU: its samples, and how to calibrate it.
 struct FitImu {
   std::filesystem::path file;
-  std::vector<splinertia::EurocImu> samples{};
+  std::vector<splinertia::ImuSample<double, std::chrono::nanoseconds>> samples{};
   std::optional<double> gyro_deviation{}, accel_deviation{};  // of a sample, rad/s, m/s²; default: from residuals
   bool estimate_lever_arm = false, estimate_time_offset = false;
   bool fit_together = false;  // also fit the curve to the samples

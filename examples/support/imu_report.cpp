@@ -30,7 +30,7 @@ std::string imu_report(const FittedImu& fitted, const FitImu& imu) {
   };
   row("gyroscope bias", calibration.gyro_bias, deviation.gyro_bias, "rad/s");
   row("accelerometer bias", calibration.accel_bias, deviation.accel_bias, "m/s^2");
-  if (imu.estimate_lever_arm) row("lever arm", calibration.arm.p_BI, deviation.lever_arm, "m");
+  if (imu.estimate_lever_arm) row("lever arm", calibration.mounting.p_BI, deviation.lever_arm, "m");
   if (imu.estimate_time_offset) {
     text += formatted("  %-19s%s s, trajectory's clock minus IMU's clock\n", "time offset",
                       estimate(calibration.time_offset, deviation.time_offset).c_str());

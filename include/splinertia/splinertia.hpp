@@ -52,9 +52,12 @@
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/describe.hpp>
+#include <splinertia/imu/imu_noise.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
+#include <splinertia/imu/simulate_increments.hpp>
+#include <splinertia/imu/to_vector.hpp>
 #include <splinertia/motion/circle.hpp>
 #include <splinertia/motion/coning.hpp>
 #include <splinertia/motion/constant_twist.hpp>
@@ -68,6 +71,7 @@
 #include <splinertia/spline/sample.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <splinertia/strapdown/integrate.hpp>
+#include <splinertia/strapdown/preintegration/preintegrate.hpp>
 #include <splinertia/strapdown/preintegration/preintegration_residual.hpp>
 #include <splinertia/strapdown/preintegration/preintegrator.hpp>
 #include <splinertia/strapdown/preintegration/rotating_preintegration.hpp>

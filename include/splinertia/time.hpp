@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace splinertia {
 
@@ -25,6 +26,14 @@ inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = 
 
 template <typename T>
 concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
+
+/// Has a member `time` in seconds or as an integer duration.
+template <typename T>
+concept WithTime = requires(const T& t) { requires TimePoint<std::remove_cvref_t<decltype(t.time)>>; };
+
+/// The type of that member.
+template <WithTime T>
+using TimeOf = std::remove_cvref_t<decltype(std::declval<const T&>().time)>;
 
 /// Times and their differences. The difference between the ends of an integer Time needs its unsigned type.
 template <typename T>

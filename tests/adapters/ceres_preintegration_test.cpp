@@ -18,7 +18,7 @@ const ImuNoise<double> noise{2e-4, 2e-3, 2e-5, 3e-3};
 const ImuBias<double> bias{{0.01, -0.02, 0.03}, {0.1, 0.2, -0.15}};
 
 template <typename T>
-TimedImuSample<T, double> sample_at(double t) {
+ImuSample<T, double> sample_at(double t) {
   const auto sine = [](double x) { return T(std::sin(x)); };
   return {t,
           {sine(7 * t), T(2.0) * sine(5 * t), sine(3 * t + 1)},

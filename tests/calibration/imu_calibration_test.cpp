@@ -15,7 +15,7 @@ ImuCalibration<double> some_calibration() {
   return {.gyro_bias = {0.01, -0.02, 0.03},
           .accel_bias = {0.1, -0.2, 0.3},
           .gravity = {0.4, -0.3, -9.8},
-          .arm = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.3}}};
+          .mounting = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.3}}};
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ ImuCalibration<double> some_calibration() {
 TEST_CASE("A perfect IMU is the default") {
   const auto m = Circle<>{.radius = 3, .rate = 2}.evaluate<2>(0.4);
   const auto ideal = ideal_imu(m);
-  const auto reading = calibrated_imu(m, {});
+  const auto reading = predicted_imu(m, {});
   CHECK(reading.gyro == ideal.gyro);
   CHECK(reading.accel == ideal.accel);
 }
@@ -35,8 +35,8 @@ TEST_CASE("Biases come on top of what the IMU reads in its own axes, away from t
   calibration.gyro_bias = {0.1, 0.2, 0.3};
   calibration.accel_bias = {-1, -2, -3};
   calibration.gravity = {0, 0, -10};
-  calibration.arm = {Sophus::SO3d::rotZ(std::acos(0.0)), {0, 0.5, 0}};
-  const auto reading = calibrated_imu(Circle<>{.radius = 3, .rate = 2}.evaluate<2>(0.4), calibration);
+  calibration.mounting = {Sophus::SO3d::rotZ(std::acos(0.0)), {0, 0.5, 0}};
+  const auto reading = predicted_imu(Circle<>{.radius = 3, .rate = 2}.evaluate<2>(0.4), calibration);
   CHECK((reading.gyro - Eigen::Vector3d(0.1, 0.2, 2.3)).norm() < 1e-14);
   CHECK((reading.accel - Eigen::Vector3d(2.5 * 4 - 1, -2, 10 - 3)).norm() < 1e-13);
 }
@@ -50,9 +50,9 @@ TEMPLATE_TEST_CASE("The rate of what an IMU reads is that of differences in time
   const auto calibration = some_calibration();
   for (const double t : {0.2, 0.71, 1.25}) {
     INFO("t = " << t);
-    const Vector6 rate = calibrated_imu_rate(curve.template evaluate<3>(t), calibration);
+    const Vector6 rate = predicted_imu_rate(curve.template evaluate<3>(t), calibration);
     const auto read = [&](double time) {
-      const auto [gyro, accel] = calibrated_imu(curve.template evaluate<2>(time), calibration);
+      const auto [gyro, accel] = predicted_imu(curve.template evaluate<2>(time), calibration);
       Vector6 both;
       both << gyro, accel;
       return both;

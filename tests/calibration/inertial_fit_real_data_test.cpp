@@ -30,7 +30,7 @@ TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its 
   std::vector<Stamped<SO3xR3<double>>> poses;
   Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero(), accel_bias = Eigen::Vector3d::Zero();
   for (const auto& state : states) {
-    poses.push_back({state.time, state.pose});
+    poses.push_back({state.time, state.value});
     gyro_bias += state.gyro_bias / static_cast<double>(states.size());
     accel_bias += state.accel_bias / static_cast<double>(states.size());
   }
@@ -52,9 +52,9 @@ TEST_CASE("What the filter of EuRoC has estimated of the IMU is found along its 
   options.estimate_lever_arm = options.estimate_time_offset = true;
   const auto all = calibrate_imu(alone.spline, samples, options);
   CHECK(all.converged);
-  INFO("lever arm " << all.calibration.arm.p_BI.transpose() << " m, time offset " << all.calibration.time_offset
+  INFO("lever arm " << all.calibration.mounting.p_BI.transpose() << " m, time offset " << all.calibration.time_offset
                     << " s");
-  CHECK(all.calibration.arm.p_BI.norm() < 0.03);
+  CHECK(all.calibration.mounting.p_BI.norm() < 0.03);
   CHECK(std::abs(all.calibration.time_offset) < 0.002);
 
   // Both together, over 15 s in flight: the curve agrees with the accelerometer far better, and still with the poses.

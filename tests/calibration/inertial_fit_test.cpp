@@ -43,7 +43,7 @@ InertialOptions<double> imu_options() {
   InertialOptions<double> options{.gyro_standard_deviation = gyro_noise, .accel_standard_deviation = accel_noise};
   const auto truth = testing::some_imu();
   options.calibration.gravity = {0, 0, -truth.gravity.norm()};
-  options.calibration.arm.R_BI = truth.arm.R_BI;
+  options.calibration.mounting.R_BI = truth.mounting.R_BI;
   options.estimate_lever_arm = options.estimate_time_offset = true;
   return options;
 }
@@ -53,7 +53,7 @@ Vector12 difference(const ImuCalibration<double>& a, const ImuCalibration<double
   Vector12 d;
   d << a.gyro_bias - b.gyro_bias, a.accel_bias - b.accel_bias,
       gravity_tangent<double>(a.gravity).transpose() * (a.gravity - b.gravity) / a.gravity.squaredNorm(),
-      a.arm.p_BI - b.arm.p_BI, a.time_offset - b.time_offset;
+      a.mounting.p_BI - b.mounting.p_BI, a.time_offset - b.time_offset;
   return d;
 }
 
@@ -68,7 +68,7 @@ Vector12 deviation(const CalibratedImu<double>& imu) {
 template <typename G>
 struct Run {
   std::vector<Stamped<G, double>> poses;
-  std::vector<TimedImuSample<double, double>> samples;
+  std::vector<ImuSample<>> samples;
 
   explicit Run(std::uint64_t seed, const auto& along, double noise = 1)
       : poses(
@@ -392,7 +392,7 @@ TEST_CASE("Poses and samples with epoch stamps give the same as from zero") {
   const Run<G> run(7);
   std::vector<Stamped<G, nanoseconds>> poses;
   for (const auto& p : run.poses) poses.push_back({epoch + to_nanoseconds(p.time), p.value});
-  std::vector<TimedImuSample<double, nanoseconds>> samples;
+  std::vector<ImuSample<double, nanoseconds>> samples;
   for (const auto& s : run.samples) samples.push_back({epoch + to_nanoseconds(s.time), s.gyro, s.accel});
   using Epoch = Spline<G, 4, UniformKnots<nanoseconds>>;
   const auto expected = inertial_fit<Curve<G>>(run.poses, run.samples, pose_options<Curve<G>>(), imu_options());
@@ -410,13 +410,13 @@ TEST_CASE("In single precision") {
   for (const auto& p : run.poses) {
     poses.push_back({p.time, {rotation(p.value).cast<float>(), position(p.value).cast<float>()}});
   }
-  std::vector<TimedImuSample<float, double>> samples;
+  std::vector<ImuSample<float, double>> samples;
   for (const auto& s : run.samples) samples.push_back({s.time, s.gyro.cast<float>(), s.accel.cast<float>()});
   const auto truth = testing::some_imu();
   InertialOptions<float> options{.gyro_standard_deviation = static_cast<float>(gyro_noise),
                                  .accel_standard_deviation = static_cast<float>(accel_noise)};
   options.calibration.gravity = truth.gravity.cast<float>();
-  options.calibration.arm.R_BI = truth.arm.R_BI.cast<float>();
+  options.calibration.mounting.R_BI = truth.mounting.R_BI.cast<float>();
   options.estimate_lever_arm = options.estimate_time_offset = true;
   const FitOptions<C> pose{.knot_interval = 0.05, .standard_deviation = pose_deviation<SO3xR3<double>>().cast<float>()};
   const auto imu = inertial_fit<C>(poses, samples, pose, options).imu;
@@ -430,7 +430,7 @@ TEST_CASE("In single precision") {
   };
   CHECK(within(imu.calibration.gyro_bias, truth.gyro_bias, sigma.gyro_bias));
   CHECK(within(imu.calibration.accel_bias, truth.accel_bias, sigma.accel_bias));
-  CHECK(within(imu.calibration.arm.p_BI, truth.arm.p_BI, sigma.lever_arm));
+  CHECK(within(imu.calibration.mounting.p_BI, truth.mounting.p_BI, sigma.lever_arm));
   CHECK(std::abs(imu.calibration.time_offset - truth.time_offset) < 4 * double{sigma.time_offset});
 }
 

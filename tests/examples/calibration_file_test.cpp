@@ -22,7 +22,7 @@ CalibratedImu<double> some_calibration() {
   imu.calibration.gyro_bias = {0.1, -1.0 / 3, 2e-300};
   imu.calibration.accel_bias = {0.0, 4, -0.7};
   imu.calibration.gravity = {0.01, -0.02, -9.80665};
-  imu.calibration.arm = {GroupTraits<Sophus::SO3d>::exp({1, -2, 0.5}), {0.05, -0.12, 1e-3}};
+  imu.calibration.mounting = {GroupTraits<Sophus::SO3d>::exp({1, -2, 0.5}), {0.05, -0.12, 1e-3}};
   imu.calibration.time_offset = -0.0123456789;
   imu.standard_deviation = {{1e-5, 2e-5, infinity}, {0.01, 0.02, 0.03}, {0, 0, 0}, {1e-4, 2e-4}, infinity};
   return imu;
@@ -46,8 +46,9 @@ TEST_CASE("What is written is read to the same bits") {
   CHECK(read.calibration.gyro_bias == imu.calibration.gyro_bias);
   CHECK(read.calibration.accel_bias == imu.calibration.accel_bias);
   CHECK(read.calibration.gravity == imu.calibration.gravity);
-  CHECK(read.calibration.arm.p_BI == imu.calibration.arm.p_BI);
-  CHECK(read.calibration.arm.R_BI.unit_quaternion().coeffs() == imu.calibration.arm.R_BI.unit_quaternion().coeffs());
+  CHECK(read.calibration.mounting.p_BI == imu.calibration.mounting.p_BI);
+  CHECK(read.calibration.mounting.R_BI.unit_quaternion().coeffs() ==
+        imu.calibration.mounting.R_BI.unit_quaternion().coeffs());
   CHECK(read.calibration.time_offset == imu.calibration.time_offset);
   CHECK(read.standard_deviation.gyro_bias == imu.standard_deviation.gyro_bias);
   CHECK(read.standard_deviation.accel_bias == imu.standard_deviation.accel_bias);
@@ -65,7 +66,7 @@ TEST_CASE("Units of data sheets may be given, and a quaternion with four digits"
   changed = replaced(changed, "{w: 1, x: 0, y: 0, z: 0}", "{w: 0.7071, x: 0, y: 0.7071, z: 0}");
   const auto read = read_calibration(folder.write("a.yaml", changed)).calibration;
   CHECK_THAT(read.accel_bias.x(), WithinAbs(9.80665e-3, 1e-15));
-  CHECK_THAT(read.arm.R_BI.unit_quaternion().w(), WithinAbs(std::sqrt(0.5), 1e-15));
+  CHECK_THAT(read.mounting.R_BI.unit_quaternion().w(), WithinAbs(std::sqrt(0.5), 1e-15));
 }
 
 TEST_CASE("Numbers that no reader would take are not written") {

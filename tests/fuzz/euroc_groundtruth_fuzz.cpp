@@ -14,7 +14,7 @@ const Target target{"euroc_groundtruth", [](Input input) {
                           path, [](const auto& from) { return read_euroc_groundtruth(from); },
                           [&](const auto& to, const std::vector<EurocState>& states) {
                             std::vector<Stamped<SO3xR3<double>>> poses;
-                            for (const EurocState& state : states) poses.push_back({state.time, state.pose});
+                            for (const EurocState& state : states) poses.push_back({state.time, state.value});
                             expect_same(poses, read_euroc_poses(path));
                             write_euroc_groundtruth(to, states);
                           });

@@ -39,13 +39,13 @@ void for_each_vector(const Stamped<SO3xR3<double>>& sample, const auto& visit) {
   visit("rotation", rotation(sample.value).unit_quaternion().coeffs());
   visit("position", position(sample.value));
 }
-void for_each_vector(const EurocImu& sample, const auto& visit) {
+void for_each_vector(const ImuSample<double, std::chrono::nanoseconds>& sample, const auto& visit) {
   visit("gyro", sample.gyro);
   visit("accel", sample.accel);
 }
 void for_each_vector(const EurocState& sample, const auto& visit) {
-  visit("rotation", rotation(sample.pose).unit_quaternion().coeffs());
-  visit("position", position(sample.pose));
+  visit("rotation", rotation(sample.value).unit_quaternion().coeffs());
+  visit("position", position(sample.value));
   visit("velocity", sample.velocity);
   visit("gyro_bias", sample.gyro_bias);
   visit("accel_bias", sample.accel_bias);

@@ -31,7 +31,7 @@ void expect_written(const std::vector<Sample>& samples, const auto& write, const
 const Target target{
     "writers", [](Input input) {
       std::vector<EurocState> states;
-      std::vector<EurocImu> samples;
+      std::vector<ImuSample<double, std::chrono::nanoseconds>> samples;
       std::vector<Stamped<SO3xR3<double>>> poses;
       std::chrono::nanoseconds time{input.bits<std::int64_t>()};
       Eigen::Vector4d before = Eigen::Vector4d::Zero();
@@ -44,7 +44,7 @@ const Target target{
         if (q.dot(before) < 0) q = -q;
         before = q;
         const SO3xR3<double> pose{rotation_from_unit_quaternion<double>(Eigen::Quaterniond{q}), vector(input)};
-        states.push_back({time, pose, vector(input), vector(input), vector(input)});
+        states.push_back({{time, pose}, vector(input), vector(input), vector(input)});
         samples.push_back({time, states.back().velocity, states.back().gyro_bias});
         poses.push_back({time, pose});
         time = std::chrono::nanoseconds{static_cast<std::int64_t>(

@@ -69,7 +69,7 @@ void compare_truth(const Row& row, Grader<Scalar>& grader, const auto& motion, l
   const auto q = row.outputs("q"), p = row.outputs("p"), v = row.outputs("v"), a = row.outputs("a");
   const auto omega = row.outputs("omega"), alpha = row.outputs("alpha");
   const Vector3<Scalar> gravity = vector<Scalar>(row, "g");
-  const splinertia::LeverArm<Scalar> arm{{}, vector<Scalar>(row, "lever")};
+  const splinertia::Mounting<Scalar> arm{{}, vector<Scalar>(row, "lever")};
   Sizes sizes;
   // Harmonic motion: each derivative is as large as the rate times the one below, wherever the phase stands.
   sizes.velocity = size(v) + phase_rate * size(p);
@@ -123,7 +123,7 @@ void compare_reading(const Row& row, Grader<Scalar>& grader,
   const nanoseconds t(row.integer64("t"));
   const auto m = spline.template at<2>(t);
   const Vector3<Scalar> gravity = vector<Scalar>(row, "g");
-  const splinertia::LeverArm<Scalar> arm{read_unit_rotation<Scalar>(row.inputs<Scalar>("q_bi"), 0),
+  const splinertia::Mounting<Scalar> arm{read_unit_rotation<Scalar>(row.inputs<Scalar>("q_bi"), 0),
                                          vector<Scalar>(row, "lever")};
 
   constexpr int rotation_begin = splinertia::SplitPose<G> ? 0 : 3;

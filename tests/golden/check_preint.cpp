@@ -108,7 +108,7 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] splinertia::PreintegratedImu<Scalar> preintegrate_held(const std::vector<Interval<Scalar>>& intervals,
                                                                      const splinertia::ImuBias<Scalar>& bias) {
-  using Sample = splinertia::TimedImuSample<Scalar, nanoseconds>;
+  using Sample = splinertia::ImuSample<Scalar, nanoseconds>;
   nanoseconds time(1'700'000'000'123'456'789);  // any start, such as that of a log
   splinertia::Preintegrator<splinertia::ZeroOrderHold, Scalar, nanoseconds> preintegrator(time, bias);
   for (const auto& i : intervals) {

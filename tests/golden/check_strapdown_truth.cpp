@@ -74,7 +74,7 @@ struct Run {
     const long double h = static_cast<long double>(end) / samples;
     for (int i = 0; i <= samples; ++i) {
       const Time t = end * static_cast<Time>(i) / static_cast<Time>(samples);
-      const splinertia::TimedImuSample<Scalar, Time> sample{t, omega.at<Scalar>(t), force.at<Scalar>(t)};
+      const splinertia::ImuSample<Scalar, Time> sample{t, omega.at<Scalar>(t), force.at<Scalar>(t)};
       turn += static_cast<long double>(sample.gyro.norm()) * h;
       push += static_cast<long double>(sample.accel.norm()) * h;
       integrator.push(sample);

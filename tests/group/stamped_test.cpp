@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <list>
+#include <span>
 #include <splinertia/group/euclidean.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <type_traits>
+#include <vector>
 
 #include "support/catch.hpp"
 
@@ -16,4 +19,16 @@ TEST_CASE("a stamped element is a time and a value", "[group]") {
   const Stamped<Eigen::Vector3d, double> seconds{.time = 0.25, .value = {1, 2, 3}};
   CHECK(seconds.time == 0.25);
   STATIC_CHECK(std::is_aggregate_v<Stamped<Eigen::Vector3d, double>>);
+}
+
+TEST_CASE("a range of stamped elements, or of what derives from them, is a trajectory", "[group]") {
+  using Line = Stamped<Eigen::Vector3d>;
+  struct More : Line {
+    double temperature;
+  };
+  STATIC_CHECK(splinertia::StampedPoses<std::vector<Line>>);
+  STATIC_CHECK(splinertia::StampedPoses<std::span<const More>>);
+  STATIC_CHECK_FALSE(splinertia::StampedPoses<std::list<Line>>);
+  STATIC_CHECK_FALSE(splinertia::StampedPoses<std::vector<Eigen::Vector3d>>);
+  STATIC_CHECK(std::is_same_v<splinertia::GroupOf<More>, Eigen::Vector3d>);
 }

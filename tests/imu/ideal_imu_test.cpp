@@ -34,7 +34,7 @@ TEMPLATE_TEST_CASE("A lever arm adds the Euler and centripetal terms and turns t
                    Sophus::SE3d) {
   testing::Random random(1);
   const Spline<TestType, 6> curve({.start = 0, .interval = 0.5}, random.walk<TestType>(12));
-  const LeverArm arm{Sophus::SO3d::exp({0.4, -0.8, 1.1}), Eigen::Vector3d(0.3, -0.5, 0.2)};
+  const Mounting arm{Sophus::SO3d::exp({0.4, -0.8, 1.1}), Eigen::Vector3d(0.3, -0.5, 0.2)};
   const Eigen::Vector3d gravity(0.1, 0.2, -9.8);
   const double t = 1.7, h = 1e-3;
   const auto m = curve.template evaluate<2>(t);

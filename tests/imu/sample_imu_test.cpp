@@ -43,7 +43,7 @@ TEMPLATE_TEST_CASE("samples are what ideal_imu() gives", "", SO3xR3<double>, SO3
   using Scalar = ScalarOf<G>;
   const auto curve = random_curve<G>();
   const Vector3<Scalar> gravity(Scalar(0.1), Scalar(-0.2), Scalar(-9.7));
-  const LeverArm<Scalar> arm{GroupTraits<Sophus::SO3<Scalar>>::exp({Scalar(0.3), Scalar(1), Scalar(-2)}),
+  const Mounting<Scalar> arm{GroupTraits<Sophus::SO3<Scalar>>::exp({Scalar(0.3), Scalar(1), Scalar(-2)}),
                              {Scalar(0.5), Scalar(-0.1), Scalar(0.2)}};
   const SampleTimes<double> times{0.03, 0.004};
   const auto at_rest = sample_imu(curve, times.start, times.interval, 400);

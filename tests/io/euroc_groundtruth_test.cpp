@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <random>
+#include <splinertia/evaluation/trajectory_association.hpp>
 #include <splinertia/io/euroc_groundtruth.hpp>
+#include <splinertia/io/tum.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -23,21 +25,23 @@ std::vector<EurocState> states(int size) {
   std::mt19937_64 random(5);
   std::vector<EurocState> result;
   for (const Line& line : test::awkward_trajectory(size)) {
-    result.push_back({line.time, line.value, test::awkward_vector(random), test::awkward_vector(random),
+    result.push_back({{line.time, line.value},
+                      test::awkward_vector(random),
+                      test::awkward_vector(random),
                       test::awkward_vector(random)});
   }
   return result;
 }
 
 bool same_state(const EurocState& a, const EurocState& b) {
-  return test::same(Line{a.time, a.pose}, Line{b.time, b.pose}) && a.velocity == b.velocity &&
+  return test::same(Line{a.time, a.value}, Line{b.time, b.value}) && a.velocity == b.velocity &&
          a.gyro_bias == b.gyro_bias && a.accel_bias == b.accel_bias;
 }
 
 // States that keep their pose in SE(3).
 struct RigidState {
   nanoseconds time;
-  Sophus::SE3d pose;
+  Sophus::SE3d value;
   Eigen::Vector3d velocity, gyro_bias, accel_bias;
 };
 
@@ -52,26 +56,37 @@ TEST_CASE("states read back to the same bits, written at once or one by one") {
 
   EurocGroundtruthWriter writer(folder / "stream.csv");
   for (const EurocState& s : written) {
-    const auto pose = make_pose<Sophus::SE3d>(rotation(s.pose), position(s.pose));
+    const auto pose = make_pose<Sophus::SE3d>(rotation(s.value), position(s.value));
     writer.append(RigidState{s.time, pose, s.velocity, s.gyro_bias, s.accel_bias});
   }
   struct InSeconds {
     double time;
-    SO3xR3<double> pose;
+    SO3xR3<double> value;
     Eigen::Vector3d velocity, gyro_bias, accel_bias;
   };
   write_euroc_groundtruth(folder / "s.csv",
-                          std::vector<InSeconds>{{2.5, written[0].pose, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}});
+                          std::vector<InSeconds>{{2.5, written[0].value, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}}});
   CHECK(read_euroc_groundtruth(folder / "s.csv")[0].time == nanoseconds{2'500'000'000});
   CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
   writer.commit();
   CHECK(content(folder / "stream.csv") == content(folder / "gt.csv"));
 }
 
+TEST_CASE("states are poses for other functions") {
+  const test::TemporaryDirectory folder;
+  const auto written = states(20);
+  STATIC_CHECK(StampedPoses<std::vector<EurocState>>);
+  write_tum(folder / "gt.tum", written);
+  const auto poses = read_tum(folder / "gt.tum");
+  REQUIRE(poses.size() == written.size());
+  CHECK(poses[7].time == written[7].time);
+  CHECK(position(poses[7].value) == position(written[7].value));
+  CHECK(associate(written, written).size() == written.size());
+}
+
 TEST_CASE("the file looks like EuRoC's") {
   const test::TemporaryDirectory folder;
-  const EurocState state{nanoseconds{1403715524907143168},
-                         SO3xR3<double>{Sophus::SO3d{}, Eigen::Vector3d{1, 2, 3}},
+  const EurocState state{{nanoseconds{1403715524907143168}, {Sophus::SO3d{}, Eigen::Vector3d{1, 2, 3}}},
                          {4, 5, 6},
                          {7, 8, 9},
                          {10, 11, 12}};
@@ -130,7 +145,7 @@ TEST_CASE("EuRoC's own file is read", "[.real_data]") {
   CHECK(read_euroc_poses(path).size() == 16702);
   // The file has eight sign flips; none is left.
   for (std::size_t i = 1; i < read.size(); ++i) {
-    const auto& q = rotation(read[i].pose).unit_quaternion();
-    REQUIRE(q.dot(rotation(read[i - 1].pose).unit_quaternion()) > 0.9);
+    const auto& q = rotation(read[i].value).unit_quaternion();
+    REQUIRE(q.dot(rotation(read[i - 1].value).unit_quaternion()) > 0.9);
   }
 }

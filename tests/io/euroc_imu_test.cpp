@@ -9,6 +9,7 @@
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/motion/ellipse.hpp>
+#include <splinertia/spline/spline.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,11 +24,11 @@ using test::error_of;
 
 namespace {
 
-std::vector<EurocImu> samples(int size) {
+std::vector<ImuSample<double, nanoseconds>> samples(int size) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   const auto vector = [&] { return Eigen::Vector3d::NullaryExpr([&] { return normal(random); }).eval(); };
-  std::vector<EurocImu> result;
+  std::vector<ImuSample<double, nanoseconds>> result;
   for (int i = 0; i < size; ++i)
     result.push_back({nanoseconds{1403636579758555392 + 5'000'000LL * i}, vector(), vector()});
   return result;
@@ -47,7 +48,7 @@ TEST_CASE("samples read back to the same bits, written at once or one by one") {
     REQUIRE(read[i].accel == written[i].accel);
   }
   EurocImuWriter writer(folder / "stream.csv");
-  for (const EurocImu& sample : written) writer.append(sample);
+  for (const ImuSample<double, nanoseconds>& sample : written) writer.append(sample);
   CHECK_FALSE(std::filesystem::exists(folder / "stream.csv"));
   writer.commit();
   CHECK(content(folder / "stream.csv") == content(folder / "imu.csv"));
@@ -84,13 +85,34 @@ TEMPLATE_TEST_CASE("times of any kind are written in nanoseconds", "", float, do
   CHECK(read[1].accel == Eigen::Vector3d(4, 5, 7));
 }
 
+TEST_CASE("what simulate() yields is written as it comes, whatever its time") {
+  const test::TemporaryDirectory folder;
+  const Ellipse<> motion;  // in seconds
+  const auto readings = simulate(motion, Imu{}, {.rate = 100, .start = 0.0, .end = 1.0});
+  write_euroc_imu(folder / "imu.csv", readings);
+  const std::vector<ImuSample<double, nanoseconds>> read = read_euroc_imu(folder / "imu.csv");
+  REQUIRE(read.size() == 101);
+  auto reading = readings.begin();
+  for (const auto& sample : read) {
+    CHECK(sample.time == to_nanoseconds(reading->time));
+    CHECK(sample.gyro == reading->gyro);
+    CHECK(sample.accel == reading->accel);
+    ++reading;
+  }
+  const std::vector<SO3xR3<double>> points(8);
+  const Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>> curve(
+      {.start = nanoseconds(1'400'000'000'000'000'001), .interval = nanoseconds(100'000'000)}, points);
+  write_euroc_imu(folder / "ns.csv", simulate(curve, Imu{}, {.rate = 100}));
+  CHECK(read_euroc_imu(folder / "ns.csv").front().time.count() == 1'400'000'000'000'000'001);
+}
+
 TEST_CASE("times that are no numbers, or the same nanosecond, are refused") {
   const test::TemporaryDirectory folder;
   const auto error = [&](double first, double second) {
     return error_of<std::invalid_argument>([&] {
       EurocImuWriter writer(folder / "imu.csv");
       for (const double time : {first, second})
-        writer.append(ImuReading{time, {1, 2, 3}, {4, 5, 6}, {0, 0, 0}, {0, 0, 0}});
+        writer.append(ImuReading{{time, {1, 2, 3}, {4, 5, 6}}, {0, 0, 0}, {0, 0, 0}});
     });
   };
   CHECK(error(0, std::numeric_limits<double>::quiet_NaN()).find("nan") != std::string::npos);
@@ -115,8 +137,8 @@ TEST_CASE("comments between samples are passed over when they are read") {
 
 TEST_CASE("the file looks like EuRoC's") {
   const test::TemporaryDirectory folder;
-  write_euroc_imu(folder / "imu.csv",
-                  std::vector<EurocImu>{{nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
+  write_euroc_imu(folder / "imu.csv", std::vector<ImuSample<double, nanoseconds>>{
+                                          {nanoseconds{1403636579758555392}, {-0.5, 0.25, 3}, {8.5, -0.125, 0}}});
   CHECK(content(folder / "imu.csv") ==
         "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
         "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n"

@@ -71,7 +71,7 @@ TEST_CASE("a set that is not committed leaves nothing") {
 
 TEST_CASE("every writer can commit to a set") {
   const test::TemporaryDirectory folder;
-  const EurocImu sample{std::chrono::nanoseconds(1), {0, 0, 1}, {0, 0, 9.81}};
+  const ImuSample<double, std::chrono::nanoseconds> sample{std::chrono::nanoseconds(1), {0, 0, 1}, {0, 0, 9.81}};
   EurocState state{};
   state.time = sample.time;
   FileSet set;
@@ -82,7 +82,7 @@ TEST_CASE("every writer can commit to a set") {
   imu.append(sample);
   npy.append(sample);
   truth.append(state);
-  tum.append(Stamped<SO3xR3<double>>{sample.time, state.pose});
+  tum.append(Stamped<SO3xR3<double>>{sample.time, state.value});
   imu.commit(set);
   npy.commit(set);
   truth.commit(set);

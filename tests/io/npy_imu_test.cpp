@@ -25,11 +25,11 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-std::vector<EurocImu> samples(int size) {
+std::vector<ImuSample<double, nanoseconds>> samples(int size) {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   const auto vector = [&] { return Eigen::Vector3d::NullaryExpr([&] { return normal(random); }).eval(); };
-  std::vector<EurocImu> result;
+  std::vector<ImuSample<double, nanoseconds>> result;
   for (int i = 0; i < size; ++i)
     result.push_back({nanoseconds{1403636579758555393 + 5'000'000LL * i}, vector(), vector()});
   result[0].gyro = {-0.0, Limits::denorm_min(), Limits::max()};
@@ -37,7 +37,8 @@ std::vector<EurocImu> samples(int size) {
   return result;
 }
 
-void check_same(const std::vector<EurocImu>& a, const std::vector<EurocImu>& b) {
+void check_same(const std::vector<ImuSample<double, nanoseconds>>& a,
+                const std::vector<ImuSample<double, nanoseconds>>& b) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -57,7 +58,7 @@ TEST_CASE("samples read back to the same bits, written at once or one by one") {
   write_npy_imu(folder / "imu.npy", written);
   check_same(read_npy_imu(folder / "imu.npy"), written);
   NpyImuWriter writer(folder / "stream.npy");
-  for (const EurocImu& sample : written) writer.append(sample);
+  for (const ImuSample<double, nanoseconds>& sample : written) writer.append(sample);
   CHECK_FALSE(std::filesystem::exists(folder / "stream.npy"));
   writer.commit();
   CHECK(content(folder / "stream.npy") == content(folder / "imu.npy"));
@@ -70,8 +71,8 @@ TEST_CASE("samples in seconds are written as the same in nanoseconds") {
     Eigen::Vector3d gyro, accel;
   };
   std::vector<InSeconds> in_seconds;
-  std::vector<EurocImu> written = samples(100);
-  for (EurocImu& sample : written) {
+  std::vector<ImuSample<double, nanoseconds>> written = samples(100);
+  for (ImuSample<double, nanoseconds>& sample : written) {
     const double time = static_cast<double>(in_seconds.size()) * 0.005 - 0.1;
     in_seconds.push_back({time, sample.gyro, sample.accel});
     sample.time = to_nanoseconds(time);
@@ -84,7 +85,8 @@ TEST_CASE("samples in seconds are written as the same in nanoseconds") {
 
 TEST_CASE("the file is what NumPy's format says, byte by byte") {
   const test::TemporaryDirectory folder;
-  write_npy_imu(folder / "imu.npy", std::vector<EurocImu>{{nanoseconds{258}, {1, -2, 0.5}, {0, 3, -0.25}}});
+  write_npy_imu(folder / "imu.npy",
+                std::vector<ImuSample<double, nanoseconds>>{{nanoseconds{258}, {1, -2, 0.5}, {0, 3, -0.25}}});
   const std::string dict =
       "{'descr': [('time_ns', '<i8'), ('gyro', '<f8', (3,)), ('accel', '<f8', (3,))], 'fortran_order': False, "
       "'shape': (1,), }";
@@ -104,7 +106,7 @@ TEST_CASE("the file is what NumPy's format says, byte by byte") {
 TEST_CASE("what the reader would refuse is not written") {
   const test::TemporaryDirectory folder;
   const auto path = folder / "imu.npy";
-  CHECK(error_of<std::invalid_argument>([&] { write_npy_imu(path, std::vector<EurocImu>{}); }) ==
+  CHECK(error_of<std::invalid_argument>([&] { write_npy_imu(path, std::vector<ImuSample<double, nanoseconds>>{}); }) ==
         path.string() + ": no rows to write");
   auto bad = samples(1000);
   bad[900].time = bad[899].time;

@@ -57,7 +57,7 @@ TEST_CASE("what the writers wrote reads back to the same bits") {
   const auto poses = test::awkward_trajectory(300);
   write_tum(folder / "a.csv", poses);
   EurocGroundtruthWriter euroc(folder / "b.txt");
-  for (const Line& line : poses) euroc.append(EurocState{line.time, line.value, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
+  for (const Line& line : poses) euroc.append(EurocState{{line.time, line.value}, {1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
   euroc.commit();
   CHECK(test::same_all(read_trajectory(folder / "a.csv").poses, poses));
   const TrajectoryFile states = read_trajectory(folder / "b.txt");

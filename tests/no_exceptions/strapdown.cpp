@@ -5,8 +5,6 @@
 
 using namespace splinertia;
 
-void push(Integrator<Midpoint, double>& integrator, const TimedImuSample<double, double>& sample) {
-  integrator.push(sample);
-}
+void push(Integrator<Midpoint, double>& integrator, const ImuSample<>& sample) { integrator.push(sample); }
 
 Integrator<Midpoint, double> begin(const NavState<double>& state) { return Integrator<Midpoint, double>(state); }

@@ -89,15 +89,15 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::StampedImuReading<Scalar, Scalar>;                                            \
   template class splinertia::ImuErrors<NoisyImu<Scalar>, Scalar, nanoseconds>;                              \
   template class splinertia::Simulation<const splinertia::Ellipse<Scalar>&, NoisyImu<Scalar>>;              \
-  template struct splinertia::LeverArm<Scalar>;                                                             \
+  template struct splinertia::Mounting<Scalar>;                                                             \
   template struct splinertia::NavState<Scalar>;                                                             \
   template struct splinertia::NavState<Scalar, nanoseconds>;                                                \
   template struct splinertia::GalileanVector<Scalar>;                                                       \
   template struct splinertia::NavIncrement<Scalar>;                                                         \
   template struct splinertia::StepMean<Scalar>;                                                             \
   template struct splinertia::StepMoments<Scalar>;                                                          \
-  template struct splinertia::TimedImuSample<Scalar, nanoseconds>;                                          \
-  template struct splinertia::TimedImuIncrement<Scalar, nanoseconds>;                                       \
+  template struct splinertia::ImuSample<Scalar, nanoseconds>;                                               \
+  template struct splinertia::ImuIncrement<Scalar, nanoseconds>;                                            \
   template struct splinertia::Magnus4::Weights<Scalar>;                                                     \
   template struct splinertia::GapOptions<Scalar>;                                                           \
   template struct splinertia::RotatingFrame<Scalar>;                                                        \
@@ -218,12 +218,12 @@ NavState<Scalar, Scalar> integrated() {
     const auto imu = [&](Scalar t) { return ideal_imu(motion.template evaluate<2>(t)); };
     const auto end = imu(static_cast<Scalar>(i) * h);
     if constexpr (!Scheme::takes_increments) {
-      integrator.push(TimedImuSample<Scalar, Scalar>{static_cast<Scalar>(i) * h, end.gyro, end.accel});
+      integrator.push(ImuSample<Scalar, Scalar>{static_cast<Scalar>(i) * h, end.gyro, end.accel});
     } else if (i > 0) {
       const auto begin = imu(static_cast<Scalar>(i - 1) * h), middle = imu((static_cast<Scalar>(i) - Scalar(0.5)) * h);
-      integrator.push(TimedImuIncrement<Scalar, Scalar>{static_cast<Scalar>(i) * h,
-                                                        (begin.gyro + 4 * middle.gyro + end.gyro) * (h / 6),
-                                                        (begin.accel + 4 * middle.accel + end.accel) * (h / 6)});
+      integrator.push(ImuIncrement<Scalar, Scalar>{static_cast<Scalar>(i) * h,
+                                                   (begin.gyro + 4 * middle.gyro + end.gyro) * (h / 6),
+                                                   (begin.accel + 4 * middle.accel + end.accel) * (h / 6)});
     }
   }
   integrator.finish();

@@ -33,7 +33,7 @@ struct Row {  // the least that a sample has to be
 TEMPLATE_TEST_CASE("The largest readings that are taken give finite states, larger ones are refused", "", Midpoint,
                    Magnus4, Trapezoid, RungeKutta4, RungeKutta4DoubleStep) {
   const auto run = []<typename Scalar>(Scalar reading, bool both) {
-    std::vector<TimedImuSample<Scalar, double>> rows;
+    std::vector<ImuSample<Scalar, double>> rows;
     for (int i = 0; i < 6; ++i) {
       const Scalar x = i % 2 == 0 || both ? reading : -reading;
       rows.push_back({0.25 * i, {x, x, 0}, {x, 0, x}});

@@ -75,14 +75,14 @@ TEMPLATE_TEST_CASE("Stamps in nanoseconds since an epoch lose nothing", "", Midp
   const auto from_zero = readings<TestType>(testing::regular_stamps(200));
   const auto run = [&](nanoseconds epoch) {
     NavState<double, nanoseconds> start{initial().R_WB, initial().v_WB, initial().p_WB, epoch};
-    Integrator<TestType, double, nanoseconds> integrator(start);
+    Integrator integrator(TestType{}, start);
     std::int64_t i = TestType::takes_increments ? 1 : 0;
     for (const auto& reading : from_zero) {
       const nanoseconds time = epoch + nanoseconds(5'000'000 * i++);
       if constexpr (TestType::takes_increments) {
-        integrator.push(TimedImuIncrement<double, nanoseconds>{time, reading.delta_angle, reading.delta_velocity});
+        integrator.push(ImuIncrement<double, nanoseconds>{time, reading.delta_angle, reading.delta_velocity});
       } else {
-        integrator.push(TimedImuSample<double, nanoseconds>{time, reading.gyro, reading.accel});
+        integrator.push(ImuSample<double, nanoseconds>{time, reading.gyro, reading.accel});
       }
     }
     integrator.finish();
@@ -143,7 +143,7 @@ TEST_CASE("Free fall is exact, also far from the origin and in float") {
     NavState<Scalar> start{{}, {1, 2, 3}, {Scalar(1e9), 0, 0}, Scalar(0)};
     Integrator<Midpoint, Scalar, Scalar> integrator({start.R_WB, start.v_WB, start.p_WB, Scalar(0)}, {0, 0, -10});
     for (int i = 0; i <= 1280; ++i) {
-      integrator.push(TimedImuSample<Scalar, Scalar>{static_cast<Scalar>(i) / 128, {0, 0, 0}, {0, 0, 0}});
+      integrator.push(ImuSample<Scalar, Scalar>{static_cast<Scalar>(i) / 128, {0, 0, 0}, {0, 0, 0}});
     }
     const auto& state = integrator.state();
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();

@@ -16,6 +16,23 @@ TEST_CASE("The state of a motion is its pose and world velocity") {
   CHECK(state.time == 2.0);
 }
 
+TEST_CASE("The state of a mounted IMU moves with the body") {
+  const Ellipse<> motion;
+  const Mounting mounting{Sophus::SO3d::exp({0.4, -0.8, 1.1}), Eigen::Vector3d(0.3, -0.5, 0.2)};
+  const auto imu_position = [&](double t) {
+    const auto body = motion.evaluate<0>(t).value;
+    return Eigen::Vector3d(position(body) + rotation(body) * mounting.p_BI);
+  };
+  const NavState<> state = nav_state(motion.evaluate<1>(2.0), 2.0, mounting);
+  const double h = 1e-5;
+  CHECK((state.p_WB - imu_position(2.0)).norm() < 1e-14);
+  CHECK((state.v_WB - (imu_position(2 + h) - imu_position(2 - h)) / (2 * h)).norm() < 1e-8);
+  CHECK(increment(state.R_WB, rotation(motion.evaluate<0>(2.0).value) * mounting.R_BI).norm() < 1e-15);
+  const Stamped<SO3xR3<double>, double> pose = stamped_pose(state);
+  CHECK(pose.time == 2.0);
+  CHECK(position(pose.value) == state.p_WB);
+}
+
 TEMPLATE_TEST_CASE("Millions of small rotations leave the quaternion a unit one", "", float, double) {
   using Scalar = TestType;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();

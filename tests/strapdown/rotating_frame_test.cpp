@@ -14,7 +14,7 @@ using namespace splinertia;
 
 namespace {
 
-using Sample = TimedImuSample<double, double>;
+using Sample = ImuSample<>;
 using Turning = IntegrationOptions<double, RotatingFrame<double>>;
 const Eigen::Vector3d nothing(0, 0, 0);
 const Eigen::Vector3d earth_rate = 7.292115e-5 * Eigen::Vector3d(0, std::cos(0.8), std::sin(0.8));  // at latitude 0.8

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <splinertia/calibration/imu_calibration.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/random/normal.hpp>
 #include <splinertia/random/random_stream.hpp>
-#include <splinertia/strapdown/imu_sample.hpp>
 #include <vector>
 
 namespace splinertia::testing {
@@ -17,7 +17,7 @@ inline ImuCalibration<double> some_imu() {
   return {.gyro_bias = {0.01, -0.02, 0.03},
           .accel_bias = {0.1, -0.2, 0.15},
           .gravity = {0.4, -0.3, -9.79},
-          .arm = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.15}},
+          .mounting = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.15}},
           .time_offset = 0.013};
 }
 
@@ -40,15 +40,15 @@ std::vector<Stamped<G, double>> poses_along(const auto& motion, double start, do
 }
 
 /// What the IMU reads from `start` to `end` of its own clock, with white noise of these standard deviations.
-inline std::vector<TimedImuSample<double, double>> samples_along(const auto& motion, const ImuCalibration<double>& imu,
-                                                                 double start, double end, double rate,
-                                                                 double gyro_noise, double accel_noise, StreamKey key) {
+inline std::vector<ImuSample<>> samples_along(const auto& motion, const ImuCalibration<double>& imu, double start,
+                                              double end, double rate, double gyro_noise, double accel_noise,
+                                              StreamKey key) {
   NormalStream normal(key / "samples");
-  std::vector<TimedImuSample<double, double>> samples;
+  std::vector<ImuSample<>> samples;
   const auto count = static_cast<int>(std::lround((end - start) * rate));
   for (int i = 0; i <= count; ++i) {
     const double time = start + (end - start) * i / count;
-    auto [gyro, accel] = calibrated_imu(motion.template evaluate<2>(time + imu.time_offset), imu);
+    auto [gyro, accel] = predicted_imu(motion.template evaluate<2>(time + imu.time_offset), imu);
     for (double& x : gyro) x += gyro_noise * normal();
     for (double& x : accel) x += accel_noise * normal();
     samples.push_back({time, gyro, accel});

@@ -69,15 +69,14 @@ double error_on(const std::vector<double>& stamps, double speed, double noise, d
       const auto& sum = ideal[i - 1];
       // Like a unit that sums at its own pace: the noise of an increment does not know the stamps.
       integrator.push(
-          TimedImuIncrement<Scalar, double>{stamps[i],
-                                            (sum.delta_angle + 0.005 * noise * random()).template cast<Scalar>(),
-                                            (sum.delta_velocity + 0.05 * noise * random()).template cast<Scalar>()},
+          ImuIncrement<Scalar, double>{stamps[i], (sum.delta_angle + 0.005 * noise * random()).template cast<Scalar>(),
+                                       (sum.delta_velocity + 0.05 * noise * random()).template cast<Scalar>()},
           visit);
     } else {
       const double late = i == 0 ? 0 : lateness * normal(bits);
       const auto imu = ideal_imu(motion.evaluate<2>(stamps[i] + late));
-      integrator.push(TimedImuSample<Scalar, double>{stamps[i], (imu.gyro + noise * random()).template cast<Scalar>(),
-                                                     (imu.accel + 10 * noise * random()).template cast<Scalar>()},
+      integrator.push(ImuSample<Scalar, double>{stamps[i], (imu.gyro + noise * random()).template cast<Scalar>(),
+                                                (imu.accel + 10 * noise * random()).template cast<Scalar>()},
                       visit);
     }
   }

@@ -124,12 +124,13 @@ inline InertialOptions<double> inertial_options(const FitImu& imu) {
 
 /// The residuals of the samples within the curve.
 inline FittedImu describe_imu(const CalibratedImu<double>& calibrated, const InertialOptions<double>& options,
-                              const FittedTrajectory& fitted, const std::vector<EurocImu>& samples) {
+                              const FittedTrajectory& fitted,
+                              const std::vector<ImuSample<double, nanoseconds>>& samples) {
   FittedImu imu{calibrated, options.gyro_standard_deviation, options.accel_standard_deviation};
-  for (const EurocImu& sample : samples) {
+  for (const ImuSample<double, nanoseconds>& sample : samples) {
     const nanoseconds time = after(sample.time, calibrated.calibration.time_offset);
     if (time < fitted.curve.start() || time > fitted.curve.end()) continue;
-    const auto reading = calibrated_imu(fitted.curve.evaluate<2>(time), calibrated.calibration);
+    const auto reading = predicted_imu(fitted.curve.evaluate<2>(time), calibrated.calibration);
     imu.samples.push_back({sample.time, reading.gyro, reading.accel, reading.gyro - sample.gyro,
                            reading.accel - sample.accel, hole_at(fitted.holes, time).has_value()});
   }

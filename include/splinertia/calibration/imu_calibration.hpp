@@ -17,16 +17,16 @@ struct ImuCalibration {
   Vector3<Scalar> gyro_bias = Vector3<Scalar>::Zero();   ///< rad/s
   Vector3<Scalar> accel_bias = Vector3<Scalar>::Zero();  ///< m/s²
   Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
-  LeverArm<Scalar> arm{Sophus::SO3<Scalar>(), Vector3<Scalar>::Zero()};
+  Mounting<Scalar> mounting{};
   double time_offset = 0;  ///< s: the motion's clock minus the IMU's
 };
 
-/// The reading of an IMU with this calibration; `motion` is that at the sample's time + time_offset.
+/// The reading that this calibration predicts; `motion` is that at the sample's time + time_offset.
 template <Pose G, int D>
   requires(D >= 2)
-[[nodiscard]] ImuMeasurement<ScalarOf<G>> calibrated_imu(const Motion<G, D>& motion,
-                                                         const ImuCalibration<ScalarOf<G>>& calibration) {
-  auto reading = ideal_imu(motion, calibration.gravity, calibration.arm);
+[[nodiscard]] ImuMeasurement<ScalarOf<G>> predicted_imu(const Motion<G, D>& motion,
+                                                        const ImuCalibration<ScalarOf<G>>& calibration) {
+  auto reading = ideal_imu(motion, calibration.gravity, calibration.mounting);
   reading.gyro += calibration.gyro_bias;
   reading.accel += calibration.accel_bias;
   return reading;
@@ -34,12 +34,12 @@ template <Pose G, int D>
 
 /// The time derivative of that reading: [gyro; accel], rad/s² and m/s³.
 template <Pose G>
-[[nodiscard]] Eigen::Matrix<ScalarOf<G>, 6, 1> calibrated_imu_rate(const Motion<G, 3>& m,
-                                                                   const ImuCalibration<ScalarOf<G>>& calibration) {
+[[nodiscard]] Eigen::Matrix<ScalarOf<G>, 6, 1> predicted_imu_rate(const Motion<G, 3>& m,
+                                                                  const ImuCalibration<ScalarOf<G>>& calibration) {
   using Scalar = ScalarOf<G>;
   const auto& q = rotation(m.value).unit_quaternion();
-  const auto& q_BI = calibration.arm.R_BI.unit_quaternion();
-  const Vector3<Scalar>& l = calibration.arm.p_BI;
+  const auto& q_BI = calibration.mounting.R_BI.unit_quaternion();
+  const Vector3<Scalar>& l = calibration.mounting.p_BI;
   const Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
   Vector3<Scalar> alpha_rate, force_rate;
   if constexpr (SplitPose<G>) {

@@ -146,7 +146,7 @@ template <typename Curve>
 
 /// The result of minimize() with its standard deviations.
 template <typename Curve>
-[[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrated_imu(
+[[nodiscard]] CalibratedImu<typename Curve::Scalar> estimated_calibration(
     const InertialTerm<Curve>& samples, const Curve& curve, const ImuCalibration<typename Curve::Scalar>& calibration,
     const InertialSystem<Curve>& system, BandedCholesky<InertialSystem<Curve>>& factor,
     const Minimum<typename Curve::Scalar>& minimum) {
@@ -173,7 +173,7 @@ template <typename Curve>
 ///                                                        .accel_standard_deviation = 0.1});
 ///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
 ///
-/// `samples` is any range of `time`, `gyro`, `accel` (ImuSample), in ascending order. Samples inside the `gaps` of the
+/// `samples` is any range of `time`, `gyro`, `accel` (ImuSampleLike), in ascending order. Samples inside the `gaps` of the
 /// curve are left out, because no data support the curve there. Throws std::invalid_argument for bad samples or
 /// options, and if no sample is within the curve and outside its gaps.
 template <typename Curve, std::ranges::forward_range Samples>
@@ -187,7 +187,7 @@ template <typename Curve, std::ranges::forward_range Samples>
   auto calibration = options.calibration;
   const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
                                 inertial_convergence<typename Curve::Scalar>(term.size(), 100));
-  return calibrated_imu(term, curve, calibration, system, factor, minimum);
+  return estimated_calibration(term, curve, calibration, system, factor, minimum);
 }
 
 /// The same for a curve that was fitted to poses: samples inside its gaps are left out.
@@ -234,7 +234,7 @@ template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples
   BandedCholesky<InertialSystem<Curve>> factor;
   const auto minimum = minimize(model, state, system, factor,
                                 inertial_convergence<Scalar>(samples_term.size(), options.most_iterations));
-  auto calibrated = calibrated_imu(samples_term, state.curve, state.calibration, system, factor, minimum);
+  auto calibrated = estimated_calibration(samples_term, state.curve, state.calibration, system, factor, minimum);
   InertialFit<Curve> result{std::move(problem).report(std::move(state.curve)), std::move(calibrated)};
   result.iterations += minimum.iterations;
   result.converged = minimum.converged;

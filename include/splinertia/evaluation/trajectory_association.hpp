@@ -27,22 +27,16 @@ struct PosePair {
   G reference, estimate;
 };
 
-/// A random-access range of Stamped<G, Time> in order of time, where G is a pose.
-template <typename R>
-concept PoseRange = std::ranges::random_access_range<const R> && std::ranges::sized_range<const R> &&
-                    requires(const std::ranges::range_value_t<R>& stamped) {
-                      requires TimePoint<std::remove_cvref_t<decltype(stamped.time)>>;
-                      requires Pose<std::remove_cvref_t<decltype(stamped.value)>>;
-                    };
-
 /// Throws std::invalid_argument if there are no poses, if a pose is not finite, or if times do not increase.
-template <PoseRange Poses>
+template <StampedPoses Poses>
+  requires Pose<GroupOf<std::ranges::range_value_t<Poses>>>
 void check_poses(const Poses& poses, std::string_view name) {
   const auto count = std::ranges::ssize(poses);
   if (count == 0) refuse<std::invalid_argument>("associate: the ", name, " has no poses");
   const auto first = std::ranges::begin(poses);
   for (auto i = count - count; i < count; ++i) {
-    const auto& [time, pose] = first[i];
+    const auto& time = first[i].time;
+    const auto& pose = first[i].value;
     if (!all_finite(position(pose)) || !all_finite(rotation(pose).unit_quaternion().coeffs())) {
       refuse<std::invalid_argument>("associate: pose ", i, " of the ", name, " is not finite");
     }
@@ -54,7 +48,7 @@ void check_poses(const Poses& poses, std::string_view name) {
 }
 
 /// The pose nearest in time; of two at the same distance, the earlier one. Requires at least one pose.
-template <PoseRange Poses, TimePoint Time>
+template <StampedPoses Poses, TimePoint Time>
 [[nodiscard]] const auto& nearest_pose(const Poses& poses, Time time) {
   const auto first = std::ranges::begin(poses);
   const auto end = first + std::ranges::ssize(poses);
@@ -70,7 +64,7 @@ template <PoseRange Poses, TimePoint Time>
 /// the same on times rounded to double seconds. If epoch stamps differ by max_difference to within 2e-7 s, it may
 /// therefore decide otherwise. Throws std::invalid_argument for what check_poses refuses, if max_difference is negative
 /// or not finite, and if there are no pairs.
-template <PoseRange Reference, PoseRange Estimate>
+template <StampedPoses Reference, StampedPoses Estimate>
   requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
 [[nodiscard]] auto associate(const Reference& reference, const Estimate& estimate, double max_difference = 0.01) {
   using Value = std::ranges::range_value_t<Reference>;

@@ -198,7 +198,7 @@ class OffsetSearch {
 /// the offset: if both speeds are known for less than 20 windows at once, if they are not correlated beyond chance (a
 /// body at rest or at a constant rate, two bodies), if they agree best at an end of the range, if another offset is
 /// about as likely, and if the standard deviation is above 1/40 of the window.
-template <PoseRange Reference, PoseRange Estimate>
+template <StampedPoses Reference, StampedPoses Estimate>
   requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
 [[nodiscard]] TimeOffset estimate_time_offset(const Reference& reference, const Estimate& estimate,
                                               const TimeOffsetOptions& options = {}) {

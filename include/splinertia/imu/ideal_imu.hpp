@@ -4,6 +4,7 @@
 
 #include <splinertia/errors/imu_measurement.hpp>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/mounting.hpp>
 #include <splinertia/motion/kinematics.hpp>
 
 namespace splinertia {
@@ -14,16 +15,6 @@ template <typename Scalar>
   return {Scalar(0), Scalar(0), Scalar(-980665) / Scalar(100000)};
 }
 
-/// The mounting of an IMU that is not at the body frame itself.
-template <typename Scalar>
-struct LeverArm {
-  Sophus::SO3<Scalar> R_BI;  ///< rotates vectors from the IMU's axes to the body's
-  Vector3<Scalar> p_BI;      ///< the IMU's origin in the body, m
-};
-
-template <typename Scalar>
-LeverArm(const Sophus::SO3<Scalar>&, const Vector3<Scalar>&) -> LeverArm<Scalar>;
-
 /// The measurement of an IMU in the body frame: gyro = ω, accel = Rᵀ(p̈ − gravity). `gravity` in the world, m/s².
 template <Pose G, int D>
   requires(D >= 2)
@@ -32,19 +23,26 @@ template <Pose G, int D>
   return {angular_velocity(motion), specific_force(motion, gravity)};
 }
 
-/// The measurement of an IMU on a lever arm l. It adds the Euler term α × l and the centripetal term ω × (ω × l) to the
-/// specific force at the body's origin, and rotates both readings into the IMU's axes. Savage, Strapdown Analytics
-/// (2000), 7.1.
+/// The measurement of an IMU mounted on the body, with lever arm l = p_BI. It adds the Euler term α × l and the
+/// centripetal term ω × (ω × l) to the specific force at the body's origin, and rotates both readings into the IMU's
+/// axes. Savage, Strapdown Analytics (2000), 7.1.
 template <Pose G, int D>
   requires(D >= 2)
 [[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity,
-                                                    const LeverArm<ScalarOf<G>>& arm) {
+                                                    const Mounting<ScalarOf<G>>& mounting) {
   using Scalar = ScalarOf<G>;
   const auto [omega, force] = ideal_imu(motion, gravity);
-  const auto& q_BI = arm.R_BI.unit_quaternion();
-  const Vector3<Scalar> at_arm =
-      force + angular_acceleration(motion).cross(arm.p_BI) + omega.cross(omega.cross(arm.p_BI));
-  return {rotate_inverse<Scalar>(q_BI, omega), rotate_inverse<Scalar>(q_BI, at_arm)};
+  const auto& q_BI = mounting.R_BI.unit_quaternion();
+  const auto& l = mounting.p_BI;
+  const Vector3<Scalar> at_imu = force + angular_acceleration(motion).cross(l) + omega.cross(omega.cross(l));
+  return {rotate_inverse<Scalar>(q_BI, omega), rotate_inverse<Scalar>(q_BI, at_imu)};
 }
+
+namespace detail {
+
+/// In place of a Mounting: the IMU is the body frame. Costs nothing.
+struct NotMounted {};
+
+}  // namespace detail
 
 }  // namespace splinertia

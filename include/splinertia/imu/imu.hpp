@@ -3,6 +3,7 @@
 
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/group/lie_group.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia {
@@ -40,20 +41,17 @@ Imu(Gyro, Accel) -> Imu<Gyro, Accel>;
 template <typename Gyro, typename Accel, typename Stamps>
 Imu(Gyro, Accel, Stamps) -> Imu<Gyro, Accel, Stamps>;
 
-/// One simulated sample.
-template <typename Scalar, TimePoint Time>
-struct BasicImuReading {
-  Time time;                   ///< its stamp
-  Vector3<Scalar> gyro;        ///< rad/s
-  Vector3<Scalar> accel;       ///< m/s²
-  Vector3<Scalar> gyro_bias;   ///< the true bias in `gyro`
-  Vector3<Scalar> accel_bias;  ///< the true bias in `accel`
+/// One simulated sample: a sample with the true biases that it contains.
+template <typename Scalar = double, TimePoint Time = double>
+struct BasicImuReading : ImuSample<Scalar, Time> {
+  Vector3<Scalar> gyro_bias;   ///< in `gyro`, rad/s
+  Vector3<Scalar> accel_bias;  ///< in `accel`, m/s²
 };
 
-using ImuReading = BasicImuReading<double, double>;
+using ImuReading = BasicImuReading<>;
 
 /// One simulated sample of an IMU whose stamps have errors, too.
-template <typename Scalar, TimePoint Time>
+template <typename Scalar = double, TimePoint Time = double>
 struct StampedImuReading : BasicImuReading<Scalar, Time> {
   Time true_time;  ///< when the sample was taken
 };

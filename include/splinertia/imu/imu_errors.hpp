@@ -15,10 +15,10 @@ namespace splinertia {
 /// Puts the errors of an IMU into the measurements of a perfect one, in the order of time: one run of one IMU.
 /// simulate() does this along a motion; ImuErrors is for measurements from elsewhere, at any times.
 ///
-///   ImuErrors<decltype(imu), double, double> errors(imu, StreamKey(seed));
+///   ImuErrors errors(imu, StreamKey(seed));    // of double and double seconds: ImuErrors<Imu, Scalar, Time> for others
 ///   ImuReading reading;
 ///   if (errors.apply(time, ideal, interval, reading)) …
-template <typename Sensors, typename Scalar, TimePoint Time, BitGenerator Generator = Xoshiro256>
+template <typename Sensors, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class ImuErrors {
   static constexpr bool has_stamps = !std::is_same_v<decltype(Sensors::stamps), ErrorModel<>>;
 

@@ -6,6 +6,7 @@
 #include <splinertia/detail/sample_rows.hpp>
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/spline/detail/lane_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
@@ -14,33 +15,41 @@
 namespace splinertia {
 
 /// What a perfect IMU measures at one time, and the body's pose.
-template <Pose G>
-struct ImuSampleAtPose : ImuMeasurement<ScalarOf<G>> {
+template <Pose G, TimePoint Time = double>
+struct ImuSampleAtPose : ImuSample<ScalarOf<G>, Time> {
   G pose;  ///< T_WB
 };
 
 /// What a perfect IMU measures at many times, with the poses of the body, as sample_imu() returns it.
 ///
 ///   const auto samples = sample_imu(curve, curve.start(), 0.001, 10000);
-///   samples[17].gyro;                         // and .accel, .pose: of one sample
+///   samples[17].gyro;                         // and .time, .accel, .pose: of one sample
 ///   samples.accel().row(2);                   // the z axis at all times, contiguous
-template <Pose G>
+template <Pose G, TimePoint T = double>
 class ImuSamples {
  public:
   using Scalar = ScalarOf<G>;
+  using Time = T;
   static constexpr int parameters = parameter_count<G>;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  void resize(std::size_t size) { rows_.resize(size); }
+  /// Makes room for samples first … first + count − 1 of `times`.
+  void resize(const SampleTimes<Time>& times, std::size_t first, std::size_t count) {
+    rows_.resize(count);
+    times_ = times;
+    first_ = first;
+  }
 
-  [[nodiscard]] ImuSampleAtPose<G> operator[](std::size_t i) const {
-    return {{rows_.template column<3>(0, i), rows_.template column<3>(3, i)},
+  [[nodiscard]] Time time(std::size_t i) const { return times_(first_ + i); }
+
+  [[nodiscard]] ImuSampleAtPose<G, Time> operator[](std::size_t i) const {
+    return {{time(i), rows_.template column<3>(0, i), rows_.template column<3>(3, i)},
             read_parameters<G>(rows_.template column<parameters>(6, i).data())};
   }
   [[nodiscard]] SampleIterator<ImuSamples> begin() const { return {*this, 0}; }
   [[nodiscard]] SampleIterator<ImuSamples> end() const { return {*this, size()}; }
 
-  /// Angular velocity (rad/s) and specific force (m/s²) in the IMU's axes (B without a lever arm), 3 × size(): a view
+  /// Angular velocity (rad/s) and specific force (m/s²) in the IMU's axes (B without a mounting), 3 × size(): a view
   /// of the rows, or a copy if the object is a temporary.
   [[nodiscard]] auto gyro() const& { return rows_.template rows<3>(0); }
   [[nodiscard]] auto gyro() && { return std::move(rows_).template rows<3>(0); }
@@ -70,30 +79,30 @@ class ImuSamples {
 
  private:
   SampleRows<Scalar, 6 + parameters> rows_;
+  SampleTimes<Time> times_{};
+  std::size_t first_ = 0;
 };
 
-/// The lever arm with numbers of type S.
-template <typename S, typename Scalar>
-[[nodiscard]] inline LeverArm<S> with_scalar(const LeverArm<Scalar>& arm) {
-  return {splinertia::with_scalar<S>(arm.R_BI), splinertia::with_scalar<S>(arm.p_BI)};
-}
+/// What sample_imu() returns for a curve.
+template <typename C>
+using ImuSamplesOf = ImuSamples<typename C::Group, typename C::Time>;
 
 /// Computes samples first … first + count − 1 of `times` into memory that can be used again: long runs in constant
-/// memory. With a LeverArm as the last argument, the IMU is mounted on it. All else as for sample_imu() below.
-template <typename C, typename... Arm>
-  requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Arm) <= 1)
+/// memory. With a Mounting as the last argument, the IMU is mounted so. All else as for sample_imu() below.
+template <typename C, typename... Mount>
+  requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Mount) <= 1)
 void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
-                ImuSamples<typename C::Group>& samples, const Vector3<ScalarOf<typename C::Group>>& gravity,
-                const Arm&... arm) {
+                ImuSamplesOf<C>& samples, const Vector3<ScalarOf<typename C::Group>>& gravity,
+                const Mount&... mounting) {
   check_sample_times(times, first + count, curve.start(), curve.end());
-  samples.resize(count);
-  const typename ImuSamples<typename C::Group>::Writer to(samples);
-  for_each_sample<2>(curve, times, first, count, [first, to, gravity, arm...](std::size_t i, const auto& motion) {
+  samples.resize(times, first, count);
+  const typename ImuSamplesOf<C>::Writer to(samples);
+  for_each_sample<2>(curve, times, first, count, [first, to, gravity, mounting...](std::size_t i, const auto& motion) {
     using S = ScalarOf<typename std::remove_cvref_t<decltype(motion)>::Group>;
     if constexpr (is_lanes<S>) {
-      to.write(i - first, ideal_imu(motion, with_scalar<S>(gravity), with_scalar<S>(arm)...), motion.value);
+      to.write(i - first, ideal_imu(motion, with_scalar<S>(gravity), with_scalar<S>(mounting)...), motion.value);
     } else {
-      to.write(i - first, ideal_imu(motion, gravity, arm...), motion.value);
+      to.write(i - first, ideal_imu(motion, gravity, mounting...), motion.value);
     }
   });
 }
@@ -105,23 +114,22 @@ void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std:
 /// std::out_of_range for times at which the curve is not defined; the last may exceed its end by rounding.
 template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
-[[nodiscard]] ImuSamples<typename C::Group> sample_imu(
+[[nodiscard]] ImuSamplesOf<C> sample_imu(
     const C& curve, typename C::Time start, typename C::Time interval, std::size_t count,
     const Vector3<ScalarOf<typename C::Group>>& gravity = standard_gravity<ScalarOf<typename C::Group>>()) {
-  ImuSamples<typename C::Group> samples;
+  ImuSamplesOf<C> samples;
   sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity);
   return samples;
 }
 
-/// The same for an IMU on a lever arm (ideal_imu.hpp). The poses are those of the body.
+/// The same for an IMU that is mounted on the body (ideal_imu.hpp). The poses are those of the body.
 template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
-[[nodiscard]] ImuSamples<typename C::Group> sample_imu(const C& curve, typename C::Time start,
-                                                       typename C::Time interval, std::size_t count,
-                                                       const Vector3<ScalarOf<typename C::Group>>& gravity,
-                                                       const LeverArm<ScalarOf<typename C::Group>>& arm) {
-  ImuSamples<typename C::Group> samples;
-  sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity, arm);
+[[nodiscard]] ImuSamplesOf<C> sample_imu(const C& curve, typename C::Time start, typename C::Time interval,
+                                         std::size_t count, const Vector3<ScalarOf<typename C::Group>>& gravity,
+                                         const Mounting<ScalarOf<typename C::Group>>& mounting) {
+  ImuSamplesOf<C> samples;
+  sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity, mounting);
   return samples;
 }
 

@@ -20,10 +20,9 @@
 
 namespace splinertia {
 
-/// One row of 17 columns: T_WB [m], velocity in W [m/s], biases in B [rad/s], [m/s²]. (EuRoC's R is W, its S is B.)
-struct EurocState {
-  std::chrono::nanoseconds time;
-  SO3xR3<double> pose;
+/// One row of 17 columns: the pose T_WB [m], velocity in W [m/s], biases in B [rad/s], [m/s²]. (EuRoC's R is W, its S is
+/// B.) A range of them is also one of poses, for fit(), associate(), write_tum() and others.
+struct EurocState : Stamped<SO3xR3<double>> {
   Eigen::Vector3d velocity, gyro_bias, accel_bias;
 };
 
@@ -70,7 +69,7 @@ inline const TableLayout euroc_poses_layout = [] {
 [[nodiscard]] inline std::vector<EurocState> read_euroc_groundtruth(const std::filesystem::path& path) {
   return read_stamped_table(
       path, euroc_groundtruth_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
-        return EurocState{row.time(), euroc_pose(row, track), row.vector(8), row.vector(11), row.vector(14)};
+        return EurocState{{row.time(), euroc_pose(row, track)}, row.vector(8), row.vector(11), row.vector(14)};
       });
 }
 
@@ -88,10 +87,12 @@ class EurocGroundtruthWriter {
  public:
   explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, euroc_groundtruth_layout) {}
 
-  /// One state: an EurocState or any type with its members. The time may be any WithTime, the pose any pose of doubles.
-  void append(const WithTime auto& state) {
-    const Eigen::Quaterniond& q = rotation(state.pose).unit_quaternion();
-    table_.append(state.time, position(state.pose), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,
+  /// One state: an EurocState or any type with its members, over any time, with any pose of doubles.
+  template <StampedValue State>
+    requires Pose<GroupOf<State>>
+  void append(const State& state) {
+    const Eigen::Quaterniond& q = rotation(state.value).unit_quaternion();
+    table_.append(state.time, position(state.value), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,
                   state.gyro_bias, state.accel_bias);
   }
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <filesystem>
 #include <ranges>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/stamped_table.hpp>
 #include <splinertia/io/stamped_table_writer.hpp>
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace splinertia {
-
-/// One sample: angular velocity [rad/s] and specific force [m/s²] in B.
-struct EurocImu {
-  std::chrono::nanoseconds time;
-  Eigen::Vector3d gyro, accel;
-};
 
 inline constexpr std::array<std::string_view, 7> euroc_imu_columns{
     "timestamp [ns]",    "w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]",
@@ -36,9 +31,11 @@ inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
 
 /// Reads the samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with
 /// file:line for the first error (StampedTable).
-[[nodiscard]] inline std::vector<EurocImu> read_euroc_imu(const std::filesystem::path& path) {
-  return read_stamped_table(path, euroc_imu_layout,
-                            [](const StampedTable& row) { return EurocImu{row.time(), row.vector(1), row.vector(4)}; });
+[[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_euroc_imu(
+    const std::filesystem::path& path) {
+  return read_stamped_table(path, euroc_imu_layout, [](const StampedTable& row) {
+    return ImuSample<double, std::chrono::nanoseconds>{row.time(), row.vector(1), row.vector(4)};
+  });
 }
 
 /// Writes a EuRoC IMU file sample by sample, in constant memory. The file appears with commit() and reads back to the
@@ -48,8 +45,8 @@ class EurocImuWriter {
  public:
   explicit EurocImuWriter(const std::filesystem::path& path) : table_(path, euroc_imu_layout) {}
 
-  /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
-  void append(const WithTime auto& sample) { table_.append(sample.time, sample.gyro, sample.accel); }
+  /// One sample: an ImuSample or anything with its members, over any time; seconds are rounded to the nearest ns.
+  void append(const ImuSampleLike auto& sample) { table_.append(sample.time, sample.gyro, sample.accel); }
 
   /// Writes a line that read_euroc_imu skips, `# ` and the text, before the next sample.
   void comment(std::string_view text) { table_.comment(text); }
@@ -61,8 +58,9 @@ class EurocImuWriter {
   StampedTableWriter table_;
 };
 
-/// Writes all samples of a range, as EurocImuWriter does.
+/// Writes all samples of a range, as EurocImuWriter does: of a vector, or as simulate() makes them.
 template <std::ranges::input_range Samples>
+  requires ImuSampleLike<std::ranges::range_value_t<Samples>>
 void write_euroc_imu(const std::filesystem::path& path, Samples&& samples) {
   EurocImuWriter writer(path);
   for (const auto& sample : samples) writer.append(sample);

@@ -10,19 +10,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <ranges>
 #include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
+#include <splinertia/imu/imu_sample.hpp>
+#include <splinertia/io/detail/file_stamps.hpp>
 #include <splinertia/io/detail/little_endian.hpp>
-#include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
-#include <splinertia/time.hpp>
-#include <stdexcept>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace splinertia {
@@ -38,17 +34,9 @@ class NpyImuWriter {
  public:
   explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, npy_imu_dtype) {}
 
-  /// One sample: anything with time (WithTime), gyro [rad/s] and accel [m/s²].
-  void append(const WithTime auto& sample) {
-    if constexpr (!is_integer_duration<std::remove_cvref_t<decltype(sample.time)>>)
-      refuse_unless_finite(static_cast<double>(sample.time));
-    const std::chrono::nanoseconds time = to_nanoseconds(sample.time);
-    if (time_ && time <= *time_) {
-      npy_.file().abandon();
-      throw std::invalid_argument(message(npy_.file().path().string(), ": time ", time.count(), " ns follows ",
-                                          time_->count(), " ns, expected increasing times"));
-    }
-    time_ = time;
+  /// One sample: an ImuSample or anything with its members, over any time; seconds are rounded to the nearest ns.
+  void append(const ImuSampleLike auto& sample) {
+    const std::chrono::nanoseconds time = stamps_.next(npy_.file(), sample.time);
     char* end = store_little_endian(npy_.room(npy_imu_size), std::int64_t{time.count()});
     end = store(end, sample.gyro);
     npy_.advance(store(end, sample.accel));
@@ -58,25 +46,22 @@ class NpyImuWriter {
   void commit(std::same_as<FileSet> auto&... set) { npy_.commit(set...); }
 
  private:
-  void refuse_unless_finite(double value) {
-    if (!is_finite(value)) npy_.file().refuse(value);
-  }
-
   [[nodiscard]] char* store(char* to, const auto& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = vector[axis];
-      refuse_unless_finite(value);
+      if (!is_finite(value)) npy_.file().refuse(value);
       to = store_little_endian(to, value);
     }
     return to;
   }
 
   NpyWriter npy_;
-  std::optional<std::chrono::nanoseconds> time_;
+  detail::FileStamps stamps_;
 };
 
 /// Writes all samples of a range, as NpyImuWriter does.
 template <std::ranges::input_range Samples>
+  requires ImuSampleLike<std::ranges::range_value_t<Samples>>
 void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
   NpyImuWriter writer(path);
   for (const auto& sample : samples) writer.append(sample);
@@ -85,9 +70,10 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
 
 /// Reads the samples in a file that NpyImuWriter or numpy.save wrote, with the same bits. Throws std::runtime_error
 /// with file and byte or row for the first error: what NpyReader refuses, NaN, infinity, times that do not increase.
-[[nodiscard]] inline std::vector<EurocImu> read_npy_imu(const std::filesystem::path& path) {
+[[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_npy_imu(
+    const std::filesystem::path& path) {
   NpyReader file(path, npy_imu_dtype, npy_imu_size);
-  std::vector<EurocImu> samples;
+  std::vector<ImuSample<double, std::chrono::nanoseconds>> samples;
   samples.reserve(file.expected_rows());
   const auto vector = [&](const char* name, std::size_t offset) {
     Eigen::Vector3d result;

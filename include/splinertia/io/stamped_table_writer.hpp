@@ -7,10 +7,10 @@
 #include <concepts>
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
+#include <splinertia/io/detail/file_stamps.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
@@ -18,14 +18,8 @@
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 
 namespace splinertia {
-
-/// Has a `time` in seconds or as an integer duration. Files have whole nanoseconds; seconds are rounded to the nearest.
-template <typename T>
-concept WithTime = TimePoint<std::remove_cvref_t<decltype(std::declval<const T&>().time)>>;
 
 /// Writes a table row by row, in constant memory. The file appears with commit(). Members throw std::runtime_error if
 /// the file cannot be written, and std::invalid_argument for what StampedTable would refuse: NaN, infinity, times that
@@ -42,14 +36,8 @@ class StampedTableWriter {
   /// One row: a time, to the nearest nanosecond, and vectors whose elements together fill the other columns.
   template <TimePoint Time, typename... Vector>
   void append(Time row_time, const Vector&... values) {
-    const std::chrono::nanoseconds time = file_time(row_time);
     assert(static_cast<std::size_t>((1 + ... + values.size())) == layout_.columns.size());
-    if (time_ && time <= *time_) {
-      file_.abandon();
-      throw std::invalid_argument(message(file_.path().string(), ": time ", time.count(), " ns follows ",
-                                          time_->count(), " ns, expected increasing times"));
-    }
-    time_ = time;
+    const std::chrono::nanoseconds time = stamps_.next(file_, row_time);
     char* end = file_.room(static_cast<std::size_t>((1 + ... + values.size())) * (number_text_size + 1));
     end = layout_.stamp == TableLayout::Stamp::seconds ? seconds_to_chars(end, time)
                                                        : integer_to_chars(end, time.count());
@@ -68,19 +56,11 @@ class StampedTableWriter {
 
   /// Completes the file. It appears now, or together with the others of a set.
   void commit(std::same_as<FileSet> auto&... set) {
-    if (!time_) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
+    if (stamps_.empty()) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
     file_.commit(set...);
   }
 
  private:
-  template <TimePoint Time>
-  [[nodiscard]] std::chrono::nanoseconds file_time(Time time) {
-    if constexpr (std::floating_point<Time>) {
-      if (!is_finite(time)) file_.refuse(static_cast<double>(time));
-    }
-    return to_nanoseconds(time);
-  }
-
   [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double value = values[i];
@@ -93,7 +73,7 @@ class StampedTableWriter {
 
   AtomicFile file_;
   TableLayout layout_;
-  std::optional<std::chrono::nanoseconds> time_;
+  detail::FileStamps stamps_;
 };
 
 }  // namespace splinertia

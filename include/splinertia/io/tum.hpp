@@ -19,12 +19,6 @@
 
 namespace splinertia {
 
-/// Has a `time` (WithTime) and a pose T_WB of doubles as `value`.
-template <typename T>
-concept StampedPose = WithTime<T> && requires(const T& stamped) {
-  { position(stamped.value) } -> std::same_as<const Vector3<double>&>;
-};
-
 inline constexpr std::array<std::string_view, 8> tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
 /// Blanks between the columns, as the format requires; no header, because not every reader skips it.
@@ -51,7 +45,10 @@ class TumWriter {
  public:
   explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
 
-  void append(const StampedPose auto& stamped) {
+  /// A pose T_WB of doubles, over any time.
+  template <StampedValue T>
+    requires Pose<GroupOf<T>> && std::same_as<ScalarOf<GroupOf<T>>, double>
+  void append(const T& stamped) {
     table_.append(stamped.time, position(stamped.value), rotation(stamped.value).unit_quaternion().coeffs());
   }
 
@@ -64,7 +61,7 @@ class TumWriter {
 
 /// Writes all poses T_WB [m] of a range, as TumWriter does.
 template <std::ranges::input_range Poses>
-  requires StampedPose<std::ranges::range_value_t<Poses>>
+  requires StampedValue<std::ranges::range_value_t<Poses>>
 void write_tum(const std::filesystem::path& path, Poses&& poses) {
   TumWriter writer(path);
   for (const auto& stamped : poses) writer.append(stamped);

@@ -8,19 +8,20 @@
 #include <splinertia/strapdown/nav_state.hpp>
 #include <splinertia/strapdown/schemes/integration_scheme.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
+#include <type_traits>
 
 namespace splinertia {
 
 /// Integrates the samples of an IMU one at a time, without heap, as in the loop of an estimator.
 ///
-///   Integrator<Midpoint, double> integrator(initial);
+///   Integrator integrator(Midpoint{}, initial);    // or Integrator<Midpoint>(initial) for double
 ///   integrator.push(sample);
 ///   integrator.state();
 ///
 /// Scheme is Euler, Midpoint, … for point samples, or one of coning_sculling.hpp for increments. Frame is InertialFrame
 /// or RotatingFrame. With a scheme that looks ahead or advances by several samples, the state lags behind the last
 /// sample until finish().
-template <typename Scheme, typename Scalar, TimePoint Time = double, typename Frame = InertialFrame>
+template <typename Scheme, typename Scalar = double, TimePoint Time = double, typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time>
 class Integrator {
  public:
@@ -38,6 +39,11 @@ class Integrator {
     if constexpr (requires { frame.rate; })
       require_all_finite("integrate", "the angular rate of the world", frame.rate);
   }
+
+  /// The same with the scheme as an argument, so that the type can be deduced.
+  explicit Integrator(Scheme, const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
+                      const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
+      : Integrator(initial, gravity, gaps, frame) {}
 
   /// Adds a sample, advances the state as far as the scheme can, and calls visit(state) after each step. Throws
   /// std::invalid_argument if the first point sample is not at the time of the initial state, for readings that are not
@@ -76,5 +82,10 @@ class Integrator {
   SampleWindow<Scheme, Scalar, Time> window_;
   [[no_unique_address]] Frame frame_;
 };
+
+template <typename Scheme, typename Scalar, TimePoint Time, typename Frame = InertialFrame>
+Integrator(Scheme, const NavState<Scalar, Time>&, const Vector3<std::type_identity_t<Scalar>>& = {},
+           const GapOptions<std::type_identity_t<Scalar>>& = {},
+           const Frame& = {}) -> Integrator<Scheme, Scalar, Time, Frame>;
 
 }  // namespace splinertia

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <splinertia/group/pose.hpp>
+#include <splinertia/group/stamped.hpp>
+#include <splinertia/imu/mounting.hpp>
 #include <splinertia/motion/kinematics.hpp>
 #include <splinertia/strapdown/detail/galilean.hpp>
 #include <splinertia/time.hpp>
@@ -9,7 +11,7 @@
 namespace splinertia {
 
 /// Attitude, velocity and position of the body in the world, and their time.
-template <typename Scalar, TimePoint T = double>
+template <typename Scalar = double, TimePoint T = double>
 struct NavState {
   using Time = T;
 
@@ -24,6 +26,25 @@ template <Pose G, int D, TimePoint Time>
   requires(D >= 1)
 [[nodiscard]] NavState<ScalarOf<G>, Time> nav_state(const Motion<G, D>& motion, Time time) {
   return {rotation(motion.value), world_velocity(motion), position(motion.value), time};
+}
+
+/// The state of an IMU that is mounted on the body: R_WB R_BI, v_WB + R_WB (ω × p_BI), p_WB + R_WB p_BI. It is where the
+/// integration of what the mounted IMU measures begins.
+template <Pose G, int D, TimePoint Time>
+  requires(D >= 1)
+[[nodiscard]] NavState<ScalarOf<G>, Time> nav_state(const Motion<G, D>& motion, Time time,
+                                                    const Mounting<ScalarOf<G>>& mounting) {
+  using Scalar = ScalarOf<G>;
+  const G imu = imu_pose(motion.value, mounting);
+  const Vector3<Scalar> turn = angular_velocity(motion).cross(mounting.p_BI);
+  return {rotation(imu), world_velocity(motion) + rotate<Scalar>(rotation(motion.value).unit_quaternion(), turn),
+          position(imu), time};
+}
+
+/// The pose of a state, with its time: for writers, fit() and associate().
+template <typename Scalar, TimePoint Time>
+[[nodiscard]] Stamped<SO3xR3<Scalar>, Time> stamped_pose(const NavState<Scalar, Time>& state) {
+  return {state.time, {state.R_WB, state.p_WB}};
 }
 
 /// The product q r of unit quaternions, normalised; without that, rounding would let the norm drift from step to step.

@@ -18,7 +18,7 @@ using Rows = CalibrationRows;
 
 namespace {
 
-using Samples = std::vector<TimedImuSample<double, double>>;
+using Samples = std::vector<ImuSample<>>;
 template <typename G, int Order = 4>
 using Curve = Spline<G, Order>;
 template <typename C>
@@ -29,7 +29,7 @@ InertialOptions<double> all_estimated() {
   options.calibration = {.gyro_bias = {0.01, -0.02, 0.03},
                          .accel_bias = {0.1, -0.2, 0.3},
                          .gravity = {0.4, -0.3, -9.8},
-                         .arm = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.3}},
+                         .mounting = {Sophus::SO3d::exp({0.3, -1.2, 2.1}), {0.2, -0.1, 0.3}},
                          .time_offset = 0.04};
   options.estimate_lever_arm = options.estimate_time_offset = true;
   return options;
@@ -50,13 +50,13 @@ Curve<G, Order> some_curve() {
   return {{.start = 0, .interval = 0.5}, random.walk<G>(Order + 3)};
 }
 
-/// The residuals over their standard deviations, by calibrated_imu() alone.
+/// The residuals over their standard deviations, by predicted_imu() alone.
 Eigen::VectorXd residuals(const auto& curve, const Samples& samples, const ImuCalibration<double>& calibration) {
   const auto options = all_estimated();
   Eigen::VectorXd r(6 * static_cast<Eigen::Index>(samples.size()));
   Eigen::Index row = 0;
   for (const auto& sample : samples) {
-    const auto reading = calibrated_imu(curve.template evaluate<2>(sample.time + calibration.time_offset), calibration);
+    const auto reading = predicted_imu(curve.template evaluate<2>(sample.time + calibration.time_offset), calibration);
     r.segment<3>(row) = (reading.gyro - sample.gyro) / options.gyro_standard_deviation;
     r.segment<3>(row + 3) = (reading.accel - sample.accel) / options.accel_standard_deviation;
     row += 6;
@@ -251,7 +251,7 @@ TEST_CASE("Samples may be in nanoseconds where the curve is in seconds, and the 
   using std::chrono::nanoseconds;
   const auto options = all_estimated();
   const auto samples = some_samples();
-  std::vector<TimedImuSample<double, nanoseconds>> in_nanoseconds;
+  std::vector<ImuSample<double, nanoseconds>> in_nanoseconds;
   for (const auto& s : samples) in_nanoseconds.push_back({nanoseconds(std::llround(s.time * 1e9)), s.gyro, s.accel});
   const auto curve = some_curve<SO3xR3<double>>();
   using Epoch = Spline<SO3xR3<double>, 4, UniformKnots<nanoseconds>>;
@@ -308,5 +308,5 @@ TEST_CASE("Options that make no sense are refused") {
   const std::string not_finite = "InertialOptions: expected biases and lever arm to be finite";
   CHECK(refusal([=](auto&, auto& o) { o.calibration.gyro_bias.x() = nan; }) == not_finite);
   CHECK(refusal([=](auto&, auto& o) { o.calibration.accel_bias.z() = nan; }) == not_finite);
-  CHECK(refusal([=](auto&, auto& o) { o.calibration.arm.p_BI.y() = nan; }) == not_finite);
+  CHECK(refusal([=](auto&, auto& o) { o.calibration.mounting.p_BI.y() = nan; }) == not_finite);
 }

@@ -5,6 +5,6 @@
 
 using namespace splinertia;
 
-void f(Preintegrator<Midpoint, double>& preintegrator, const TimedImuIncrement<double, double>& increment) {
+void f(Preintegrator<Midpoint, double>& preintegrator, const ImuIncrement<>& increment) {
   preintegrator.push(increment);
 }

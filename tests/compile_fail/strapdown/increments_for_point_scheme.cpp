@@ -8,6 +8,4 @@
 
 using namespace splinertia;
 
-void f(const std::vector<TimedImuIncrement<double, double>>& increments) {
-  (void)integrate<Midpoint>(NavState<double>{}, increments);
-}
+void f(const std::vector<ImuIncrement<>>& increments) { (void)integrate<Midpoint>(NavState<double>{}, increments); }

@@ -8,6 +8,4 @@
 
 using namespace splinertia;
 
-void f(Integrator<TwoSampleIncrements, double>& integrator, const TimedImuSample<double, double>& sample) {
-  integrator.push(sample);
-}
+void f(Integrator<TwoSampleIncrements, double>& integrator, const ImuSample<>& sample) { integrator.push(sample); }

@@ -9,6 +9,4 @@
 using namespace splinertia;
 
 struct Nothing : PointScheme<2> {};
-void f(const std::vector<TimedImuSample<double, double>>& samples) {
-  (void)integrate<Nothing>(NavState<double>{}, samples);
-}
+void f(const std::vector<ImuSample<>>& samples) { (void)integrate<Nothing>(NavState<double>{}, samples); }

@@ -72,7 +72,7 @@ struct Pair {
   static constexpr double interval = 0.02;
 
   explicit Pair(const std::filesystem::path& path) : states(read_euroc_groundtruth(path)) {
-    for (const auto& state : states) poses.push_back({state.time, state.pose});
+    for (const auto& state : states) poses.push_back({state.time, state.value});
   }
 
   /// Indices i where the position steps further than that from pose i to the next, beyond what its velocity makes of

@@ -42,9 +42,9 @@ int gaps(const std::vector<double>& stamps, GapOptions<Scalar> options = {}) {
   try {
     for (std::size_t i = Scheme::takes_increments ? 1 : 0; i < stamps.size(); ++i) {
       if constexpr (Scheme::takes_increments) {
-        integrator.push(TimedImuIncrement<Scalar, Time>{Clock::time(stamps[i]), Vector::Zero(), Vector::Zero()});
+        integrator.push(ImuIncrement<Scalar, Time>{Clock::time(stamps[i]), Vector::Zero(), Vector::Zero()});
       } else {
-        integrator.push(TimedImuSample<Scalar, Time>{Clock::time(stamps[i]), Vector::Zero(), Vector::Zero()});
+        integrator.push(ImuSample<Scalar, Time>{Clock::time(stamps[i]), Vector::Zero(), Vector::Zero()});
       }
     }
     integrator.finish();
@@ -107,7 +107,7 @@ TEMPLATE_TEST_CASE("A hole after the first sample is found with the second inter
 TEST_CASE("What rounding of the stamps adds to an interval is no gap") {
   const double epoch = 1.4e9;
   Preintegrator<Midpoint, double> imu(epoch);
-  const auto at = [&](int i) { return TimedImuSample<double, double>{epoch + i / 3.0, {0, 0, 0}, {0, 0, 0}}; };
+  const auto at = [&](int i) { return ImuSample<>{epoch + i / 3.0, {0, 0, 0}, {0, 0, 0}}; };
   for (int i = 0; i < 100; ++i) imu.push(at(i));
   imu.push(at(109));  // nine are missing
   CHECK_THROWS_AS(imu.push(at(120)), std::invalid_argument);
@@ -115,7 +115,7 @@ TEST_CASE("What rounding of the stamps adds to an interval is no gap") {
 
 TEST_CASE("A gap's message says where it is and the way out, and leaves all as it was") {
   Preintegrator<Midpoint, double> imu(0.0);
-  const auto at = [](double t) { return TimedImuSample<double, double>{t, {0, 0, 0}, {0, 0, 0}}; };
+  const auto at = [](double t) { return ImuSample<>{t, {0, 0, 0}, {0, 0, 0}}; };
   for (int i = 0; i <= 2; ++i) imu.push(at(0.25 * i));
   CHECK_THROWS_WITH(imu.push(at(4)),
                     "integrate: sample 3 at 4 comes 3.5 s after the one before, expected at most 2.5 s (GapOptions "

@@ -27,9 +27,9 @@ class Recorder {
   void push(double time) {
     const Eigen::Vector3d value(time, 0, 0);
     if constexpr (Scheme::takes_increments) {
-      window.push(TimedImuIncrement<double, double>{time, value, value}, take());
+      window.push(ImuIncrement<>{time, value, value}, take());
     } else {
-      window.push(TimedImuSample<double, double>{time, value, value}, take());
+      window.push(ImuSample<>{time, value, value}, take());
     }
   }
   void finish() { window.finish(take()); }
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE("Of fewer samples than a scheme looks at, the first stands in
       for (int i = 0; i < 4; ++i) CHECK(samples[static_cast<std::size_t>(i)].time == std::max(0, n - 4 + i));
       CHECK(samples[from].time < end);
     };
-    for (int i = 0; i < n; ++i) window.push(TimedImuSample<double, double>{double(i), {1, 2, 3}, {4, 5, 6}}, take);
+    for (int i = 0; i < n; ++i) window.push(ImuSample<>{double(i), {1, 2, 3}, {4, 5, 6}}, take);
     window.finish(take);
   }
 }
@@ -158,7 +158,7 @@ TEST_CASE("A gap that is bridged counts only if the sample is taken") {
 
 TEST_CASE("An exception of the caller's own does not repeat a step") {
   SampleWindow<Midpoint, double, double> window(0);
-  const auto at = [](double t) { return TimedImuSample<double, double>{t, {0, 0, 0}, {0, 0, 0}}; };
+  const auto at = [](double t) { return ImuSample<>{t, {0, 0, 0}, {0, 0, 0}}; };
   int steps = 0;
   const auto fail = [&](const auto&, std::size_t, double) {
     ++steps;
@@ -196,9 +196,9 @@ TEMPLATE_TEST_CASE("Readings that are not finite or too large are refused, by in
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const auto at = [](double time, double rate, double force) {
     if constexpr (TestType::takes_increments) {
-      return TimedImuIncrement<double, double>{time, {0, rate, 0}, {0, 0, force}};
+      return ImuIncrement<>{time, {0, rate, 0}, {0, 0, force}};
     } else {
-      return TimedImuSample<double, double>{time, {0, rate, 0}, {0, 0, force}};
+      return ImuSample<>{time, {0, rate, 0}, {0, 0, force}};
     }
   };
   SampleWindow<TestType, double, double> window(0);
@@ -232,9 +232,9 @@ TEMPLATE_TEST_CASE("Integer stamps as far apart as they can be are refused witho
   using std::chrono::nanoseconds;
   const auto at = [](nanoseconds time) {
     if constexpr (TestType::takes_increments) {
-      return TimedImuIncrement<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
+      return ImuIncrement<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
     } else {
-      return TimedImuSample<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
+      return ImuSample<double, nanoseconds>{time, {0, 0, 0}, {0, 0, 0}};
     }
   };
   const auto ignore = [](const auto&, std::size_t, nanoseconds) {};

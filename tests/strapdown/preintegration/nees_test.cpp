@@ -41,14 +41,6 @@ struct Part {
 constexpr std::array<Part, 6> parts{Part{"attitude", 0, 3}, Part{"velocity", 3, 3}, Part{"position", 6, 3},
                                     Part{"motion", 0, 9},   Part{"biases", 9, 6},   Part{"all", 0, 15}};
 
-/// The noise of one of the presets that have no other errors.
-template <typename Sensors>
-ImuNoise<double> noise_of(const Sensors& imu) {
-  const auto white = [](const auto& sensor) { return std::get<WhiteNoise<double>>(sensor.terms()).density[0]; };
-  const auto walk = [](const auto& sensor) { return std::get<RandomWalk<double>>(sensor.terms()).density[0]; };
-  return {white(imu.gyro), white(imu.accel), walk(imu.gyro), walk(imu.accel)};
-}
-
 struct Statistics {
   std::array<double, parts.size()> sums{};
 
@@ -103,7 +95,7 @@ template <typename... Schemes>
 auto monte_carlo(const auto& motion, const auto& sensors, double duration, double rate = 200) {
   const auto clean =
       all(simulate(motion, Imu{ErrorModel{}, ErrorModel{}}, {.rate = rate, .start = 1.0, .end = 1.0 + duration}));
-  const ImuNoise<double> noise = noise_of(sensors);
+  const ImuNoise<double> noise = imu_noise(sensors);
   std::tuple<Run<Schemes>...> schemes{Run<Schemes>(motion, clean, noise)...};
   for (std::uint64_t seed = 0; seed < runs; ++seed) {
     const auto readings =

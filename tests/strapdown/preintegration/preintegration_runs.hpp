@@ -24,8 +24,7 @@ inline constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
 
 /// What a scheme takes: point samples or increments.
 template <typename Scheme, typename Scalar>
-using SampleOf =
-    std::conditional_t<Scheme::takes_increments, TimedImuIncrement<Scalar, double>, TimedImuSample<Scalar, double>>;
+using SampleOf = std::conditional_t<Scheme::takes_increments, ImuIncrement<Scalar, double>, ImuSample<Scalar, double>>;
 
 /// A rate of some rad/s and a force of some 10 m/s², smooth in time, of which the point samples or (roughly) the
 /// increments are taken at unequal intervals of 10 ms ± 20 %. Jacobians and covariances do not care where samples come

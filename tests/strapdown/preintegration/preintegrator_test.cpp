@@ -21,7 +21,7 @@ template class splinertia::Preintegrator<TwoSampleIncrements, float, double, Imu
 
 namespace {
 
-using Sample = TimedImuSample<double, double>;
+using Sample = ImuSample<>;
 Sample at(double t) { return {t, {0, 0, 0}, {0, 0, 9.8}}; }
 
 template <typename Scheme>
@@ -157,7 +157,7 @@ TEST_CASE("Readings and biases that are not finite are refused") {
 }
 
 TEST_CASE("Increments begin at the start, and are refused at it") {
-  using Increment = TimedImuIncrement<double, double>;
+  using Increment = ImuIncrement<>;
   Preintegrator<RotationCorrectedIncrements, double> imu(1.0, {{0, 0, 1}, {0, 0, 0}});
   CHECK_THROWS_AS(imu.push(Increment{1.0, {0, 0, 0}, {0, 0, 0}}), std::invalid_argument);
   imu.push(Increment{1.5, {0, 0, 0.5}, {0, 0, 0}});  // all of it bias

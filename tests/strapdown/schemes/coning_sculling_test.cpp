@@ -11,7 +11,7 @@ using namespace splinertia;
 
 namespace {
 
-using Increment = TimedImuIncrement<double, double>;
+using Increment = ImuIncrement<>;
 
 /// How far the attitude has drifted about the axis of the cone after 20 s, rad.
 template <typename Scheme>

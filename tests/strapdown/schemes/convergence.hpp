@@ -62,8 +62,8 @@ inline std::vector<double> random_stamps(double rate, unsigned seed = 1) {
 
 /// What a perfect IMU reads at `stamps`.
 template <typename Curve>
-std::vector<TimedImuSample<double, double>> point_samples(const Curve& motion, const std::vector<double>& stamps) {
-  std::vector<TimedImuSample<double, double>> samples;
+std::vector<ImuSample<>> point_samples(const Curve& motion, const std::vector<double>& stamps) {
+  std::vector<ImuSample<>> samples;
   for (const double t : stamps) {
     const auto imu = ideal_imu(motion.template evaluate<2>(t));
     samples.push_back({t, imu.gyro, imu.accel});
@@ -74,15 +74,15 @@ std::vector<TimedImuSample<double, double>> point_samples(const Curve& motion, c
 /// What a perfect IMU sums up from each stamp to the next, to rounding: by Gauss and Legendre's rule with five points
 /// on parts of at most 2.5 ms.
 template <typename Curve>
-std::vector<TimedImuIncrement<double, double>> increments(const Curve& motion, const std::vector<double>& stamps) {
+std::vector<ImuIncrement<>> increments(const Curve& motion, const std::vector<double>& stamps) {
   const double near = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 3, far = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 3;
   const double w_near = (322 + 13 * std::sqrt(70.0)) / 1800, w_far = (322 - 13 * std::sqrt(70.0)) / 1800;
   const std::array<double, 5> nodes{-far, -near, 0, near, far}, weights{w_far, w_near, 64.0 / 225, w_near, w_far};
-  std::vector<TimedImuIncrement<double, double>> result;
+  std::vector<ImuIncrement<>> result;
   for (std::size_t i = 1; i < stamps.size(); ++i) {
     const double from = stamps[i - 1], whole = stamps[i] - from;
     const int parts = std::max(1, static_cast<int>(std::ceil(whole / 2.5e-3)));
-    TimedImuIncrement<double, double> sum{stamps[i], Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    ImuIncrement<> sum{stamps[i], Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     for (int part = 0; part < parts; ++part) {
       for (std::size_t k = 0; k < nodes.size(); ++k) {
         const auto imu = ideal_imu(motion.template evaluate<2>(from + whole * (part + (1 + nodes[k]) / 2) / parts));

@@ -70,7 +70,7 @@ TEST_CASE("Magnus4's weights integrate cubics and their moments exactly, whateve
 }
 
 TEST_CASE("Magnus4 takes intervals as regular only where the weights agree to a millionth") {
-  using Sample = TimedImuSample<double, double>;
+  using Sample = ImuSample<>;
   for (const double jitter : {0.0, 0.9e-6, 1.1e-6, 1e-3}) {
     const double h = 0.25;
     const std::array<Sample, 4> window{Sample{0, {}, {}}, Sample{h, {}, {}}, Sample{2 * h, {}, {}},
@@ -108,7 +108,7 @@ TEST_CASE("Magnus4's weights are within an interval of the trapezoid's, whatever
 }
 
 TEST_CASE("Two samples are integrated by Magnus4 with a line between them, three with a parabola") {
-  using Sample = TimedImuSample<double, double>;
+  using Sample = ImuSample<>;
   const NavState<double> initial{{}, {0, 0, 0}, {0, 0, 0}, 0};
   const auto at = [](double t) { return Sample{t, {0, 0, 0}, {1 + t * (2 + 3 * t), 0, 0}}; };
   const auto velocity = [&](const std::vector<Sample>& samples) {

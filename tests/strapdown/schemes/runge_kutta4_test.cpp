@@ -31,7 +31,7 @@ TEST_CASE("A single interval at the end of double steps keeps order 4") {
 
 TEST_CASE("A double step's middle comes from the cubic through four samples") {
   // A body that does not turn, with a cubic force: Simpson's rule is exact for its velocity.
-  using Sample = TimedImuSample<double, double>;
+  using Sample = ImuSample<>;
   const auto at = [](double t) { return Sample{t, {0, 0, 0}, {1 + t * (2 + t * (3 - 5 * t)), 0, 0}}; };
   const auto velocity = [](double t) { return t + t * t + t * t * t - 1.25 * t * t * t * t; };
   const std::array<Sample, 4> window{at(0.1), at(0.4), at(0.6), at(1)};

@@ -31,9 +31,8 @@ struct Backward : PointScheme<2> {
 };
 
 template <typename Scheme, typename Scalar>
-using Window =
-    std::array<std::conditional_t<Scheme::takes_increments, StepMean<Scalar>, TimedImuSample<Scalar, Scalar>>,
-               Scheme::window>;
+using Window = std::array<std::conditional_t<Scheme::takes_increments, StepMean<Scalar>, ImuSample<Scalar, Scalar>>,
+                          Scheme::window>;
 
 /// A window of samples of a constant rate and force.
 template <typename Scheme, typename Scalar>

@@ -13,7 +13,7 @@ TEST_CASE("The trapezoid converges with order 2") {
 }
 
 TEST_CASE("A step of the trapezoid is the mean of both accelerations, each in its own axes") {
-  using Sample = TimedImuSample<double, double>;
+  using Sample = ImuSample<>;
   const std::array<Sample, 2> window{Sample{1, {0, 0, 1}, {2, 0, 0}}, Sample{1.5, {0, 0, 3}, {0, 4, 0}}};
   const auto step = step_increment<Trapezoid, double>(window, 0);
   CHECK(step.interval == 0.5);

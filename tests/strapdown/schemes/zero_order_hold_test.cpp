@@ -14,7 +14,7 @@ TEST_CASE("The zero-order hold converges with order 1") {
 }
 
 TEST_CASE("Readings that are held are integrated exactly, whatever the intervals") {
-  using Sample = TimedImuSample<double, double>;
+  using Sample = ImuSample<>;
   const Eigen::Vector3d w(1, -2, 3), f(4, 5, -6), u(-3, 1, 1), a(0, 9, 2);
   const std::array<Sample, 3> coarse{Sample{0, w, f}, Sample{0.75, u, a}, Sample{1, w, f}};
   const std::array<Sample, 5> fine{Sample{0, w, f}, Sample{0.5, w, f}, Sample{0.625, w, f}, Sample{0.75, u, a},

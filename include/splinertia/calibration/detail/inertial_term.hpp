@@ -13,10 +13,10 @@
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/spline/kinematics_jacobians.hpp>
-#include <splinertia/strapdown/imu_sample.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -59,7 +59,7 @@ template <typename Scalar>
   return basis * gravity.norm();
 }
 
-/// The least-squares term of an IMU's samples: squared differences from calibrated_imu() along a curve, to be minimised
+/// The least-squares term of an IMU's samples: squared differences from predicted_imu() along a curve, to be minimised
 /// over the control points and the calibration, or over the calibration alone.
 template <typename Curve>
 class InertialTerm {
@@ -74,8 +74,7 @@ class InertialTerm {
   /// Samples outside the curve or inside its `gaps` are left out. Throws std::invalid_argument for a sample that is not
   /// finite or not later than the one before it, for bad options, and if no sample is left.
   template <std::ranges::forward_range Samples>
-    requires ImuSample<std::ranges::range_value_t<Samples>, Scalar,
-                       std::remove_cvref_t<decltype(std::declval<std::ranges::range_value_t<Samples>>().time)>>
+    requires ImuSampleLike<std::ranges::range_value_t<Samples>>
   InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve,
                const std::vector<FitGap<Time>>& gaps = {})
       : options_(options) {
@@ -90,7 +89,7 @@ class InertialTerm {
                                     options.largest_time_offset);
     }
     const auto& from = options.calibration;
-    if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.arm.p_BI)) {
+    if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.mounting.p_BI)) {
       refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
     }
     const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
@@ -136,15 +135,15 @@ class InertialTerm {
   Scalar add(const Curve& curve, const ImuCalibration<Scalar>& calibration, System& system) const {
     Scalar cost(0);
     const auto gravity_axes = gravity_tangent<Scalar>(calibration.gravity);
-    const Matrix3<Scalar> to_imu = calibration.arm.R_BI.matrix().transpose();
-    const Vector3<Scalar>& l = calibration.arm.p_BI;
+    const Matrix3<Scalar> to_imu = calibration.mounting.R_BI.matrix().transpose();
+    const Vector3<Scalar>& l = calibration.mounting.p_BI;
     Eigen::Matrix<Scalar, 6, 1> weight;
     weight.template head<3>().setConstant(Scalar(1) / options_.gyro_standard_deviation);
     weight.template tail<3>().setConstant(Scalar(1) / options_.accel_standard_deviation);
     for (const auto& sample : samples_) {
       const Time time = std::clamp(after(sample.time, calibration.time_offset), curve.start(), curve.end());
       const auto at = curve.template linearize<2>(time);
-      const auto reading = calibrated_imu(at, calibration);
+      const auto reading = predicted_imu(at, calibration);
       Eigen::Matrix<Scalar, 6, 1> r;
       r.template head<3>() = reading.gyro - sample.gyro;
       r.template tail<3>() = reading.accel - sample.accel;
@@ -175,7 +174,7 @@ class InertialTerm {
             to_imu * (hat<Scalar>(alpha) + hat<Scalar>(omega) * hat<Scalar>(omega));
       }
       if (options_.estimate_time_offset) {
-        border.col(Rows::time_offset) = calibrated_imu_rate(curve.template evaluate<3>(time), calibration);
+        border.col(Rows::time_offset) = predicted_imu_rate(curve.template evaluate<3>(time), calibration);
       }
       border = weight.asDiagonal() * border;
       system.add(at.first, r, J, border);
@@ -197,7 +196,7 @@ class InertialTerm {
       calibration.gravity += gravity_tangent<Scalar>(calibration.gravity) * step.template segment<2>(Rows::gravity);
       calibration.gravity *= amount / calibration.gravity.norm();
     }
-    calibration.arm.p_BI += step.template segment<3>(Rows::lever_arm);
+    calibration.mounting.p_BI += step.template segment<3>(Rows::lever_arm);
     if (options_.estimate_time_offset) {
       const double most = options_.largest_time_offset;
       calibration.time_offset =
@@ -223,7 +222,7 @@ class InertialTerm {
     Scalar gyro(0), accel(0);
     for (const auto& sample : samples_) {
       const Time time = std::clamp(after(sample.time, calibration.time_offset), curve.start(), curve.end());
-      const auto reading = calibrated_imu(curve.template evaluate<2>(time), calibration);
+      const auto reading = predicted_imu(curve.template evaluate<2>(time), calibration);
       gyro += (reading.gyro - sample.gyro).squaredNorm();
       accel += (reading.accel - sample.accel).squaredNorm();
     }
@@ -233,7 +232,7 @@ class InertialTerm {
 
  private:
   InertialOptions<Scalar> options_;
-  std::vector<TimedImuSample<Scalar, Time>> samples_;
+  std::vector<ImuSample<Scalar, Time>> samples_;
 };
 
 }  // namespace splinertia

@@ -21,7 +21,7 @@ class AngularSpeed {
  public:
   static constexpr double unknown = -1;
 
-  template <PoseRange Poses>
+  template <StampedPoses Poses>
   AngularSpeed(const Poses& poses, decltype(std::ranges::begin(poses)->time) origin) {
     for (const auto& [time, pose] : poses) {
       times_.push_back(to_seconds<double>(time_between(origin, time)));

@@ -27,10 +27,11 @@ class IdealImuBlock {
   static constexpr std::size_t capacity = 64;  // several SIMD packs per segment of most curves; 4 KiB with the times
 
   /// Computes the measurements at time(first), …, time(first + count − 1), count <= capacity. The times ascend and are
-  /// about 1/rate seconds apart. `gravity` in the world, m/s². Returns true if all are finite; false can also mean that
-  /// their sums overflow.
-  [[nodiscard, gnu::noinline]] bool fill(const C& curve, const Vector3<Scalar>& gravity, double rate, std::size_t first,
-                                         std::size_t count, const auto& time) {
+  /// about 1/rate seconds apart. `gravity` in the world, m/s²; `mounting`: a Mounting or detail::NotMounted. Returns
+  /// true if all are finite; false can also mean that their sums overflow.
+  template <typename Mount>
+  [[nodiscard, gnu::noinline]] bool fill(const C& curve, const Vector3<Scalar>& gravity, const Mount& mounting,
+                                         double rate, std::size_t first, std::size_t count, const auto& time) {
     first_ = first;
     end_ = first + count;
     for (std::size_t i = 0; i < count; ++i) times_[i] = time(first + i);
@@ -39,8 +40,15 @@ class IdealImuBlock {
     using L = typename LaneSegment<C>::L;
     L sum(Scalar(0));
     evaluate_lanes<2>(curve, Times{times_.data(), rate}, 0, count,
-                      [to, gravity, &sum](std::size_t i, const auto& motion) {
-                        const auto imu = ideal_imu(motion, with_scalar<L>(gravity));
+                      [to, gravity, mounting, &sum](std::size_t i, const auto& motion) {
+                        static_cast<void>(mounting);  // else unused where the IMU is not mounted
+                        const auto imu = [&] {
+                          if constexpr (std::is_same_v<Mount, detail::NotMounted>) {
+                            return ideal_imu(motion, with_scalar<L>(gravity));
+                          } else {
+                            return ideal_imu(motion, with_scalar<L>(gravity), with_scalar<L>(mounting));
+                          }
+                        }();
                         sum += finiteness(imu);
                         to.template write<0, 3>(i, imu.gyro);
                         to.template write<3, 3>(i, imu.accel);

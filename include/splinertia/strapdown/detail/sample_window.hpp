@@ -10,9 +10,9 @@
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/strapdown/detail/sample_stamps.hpp>
 #include <splinertia/strapdown/gap_options.hpp>
-#include <splinertia/strapdown/imu_sample.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -31,7 +31,7 @@ class SampleWindow {
   struct Interval : StepMean<Scalar> {
     Time time;  // of its end
   };
-  using Sample = std::conditional_t<takes_increments, Interval, TimedImuSample<Scalar, Time>>;
+  using Sample = std::conditional_t<takes_increments, Interval, ImuSample<Scalar, Time>>;
 
   /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
   explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {})
@@ -48,7 +48,7 @@ class SampleWindow {
   /// that are not finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is
   /// refused. Then nothing has changed.
   template <typename AnySample>
-    requires(!takes_increments && ImuSample<AnySample, Scalar, Time>)
+    requires(!takes_increments && ImuSampleOf<AnySample, Scalar, Time>)
   [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
     check(time, any.gyro, any.accel);
@@ -58,7 +58,7 @@ class SampleWindow {
 
   /// Adds an increment; the first one begins at the start. Throws as above.
   template <typename AnySample>
-    requires(takes_increments && ImuIncrement<AnySample, Scalar, Time>)
+    requires(takes_increments && ImuIncrementOf<AnySample, Scalar, Time>)
   [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
     check(time, any.delta_angle, any.delta_velocity);

@@ -6,7 +6,7 @@
 namespace splinertia {
 
 /// Additive biases of an IMU: reading = truth + bias.
-template <typename Scalar>
+template <typename Scalar = double>
 struct ImuBias {
   Vector3<Scalar> gyro = Vector3<Scalar>::Zero();   ///< rad/s
   Vector3<Scalar> accel = Vector3<Scalar>::Zero();  ///< m/s²

@@ -4,20 +4,12 @@
 #include <Eigen/Core>
 #include <splinertia/group/detail/rotation.hpp>
 #include <splinertia/group/lie_group.hpp>
+#include <splinertia/imu/imu_noise.hpp>
 #include <splinertia/strapdown/detail/galilean.hpp>
 #include <splinertia/strapdown/detail/linearized_increment.hpp>
 #include <splinertia/strapdown/preintegration/bias_jacobians.hpp>
 
 namespace splinertia {
-
-/// Noise densities of an IMU in continuous time, in the units of WhiteNoise and RandomWalk.
-template <typename Scalar>
-struct ImuNoise {
-  Scalar gyro_density;   ///< N, rad/s/√Hz
-  Scalar accel_density;  ///< N, m/s²/√Hz
-  Scalar gyro_walk;      ///< K, rad/s²/√Hz
-  Scalar accel_walk;     ///< K, m/s³/√Hz
-};
 
 /// The covariance of a preintegrated motion, 15×15: of the residual r of preintegration_residual.hpp in attitude (rad),
 /// velocity (m/s) and position (m), and of the bias changes since the beginning, gyro (rad/s) and accel (m/s²).

@@ -17,15 +17,17 @@ struct Noiseless {};
 
 /// Preintegrates the samples of an IMU one at a time, without heap:
 ///
-///   Preintegrator<Midpoint, double, double, ImuNoise<double>> preintegrator(time, bias, noise);
+///   Preintegrator preintegrator(Midpoint{}, time, bias, noise);
 ///   for (const auto& sample : samples) preintegrator.push(sample);
 ///   preintegrator.finish();
 ///   preintegrator.result();                    // PreintegratedImu: motion, bias Jacobians, covariance
 ///
+/// preintegrate() does this for a range of samples.
+///
 /// Scheme has to be one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid or Magnus4 for point samples,
 /// RotationCorrectedIncrements or TwoSampleIncrements for increments. With Noiseless, the default, there is no
 /// covariance.
-template <typename Scheme, typename Scalar, TimePoint Time = double, typename Noise = Noiseless>
+template <typename Scheme, typename Scalar = double, TimePoint Time = double, typename Noise = Noiseless>
   requires IntegrationScheme<Scheme, Scalar, Time> &&
            LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>
 class Preintegrator {
@@ -50,6 +52,11 @@ class Preintegrator {
     }
   }
 
+  /// The same with the scheme as an argument, so that the type can be deduced.
+  Preintegrator(Scheme, Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
+                const GapOptions<Scalar>& gaps = {})
+      : Preintegrator(start, bias, noise, gaps) {}
+
   /// Adds a sample. Throws std::invalid_argument as Integrator does.
   template <typename Sample>
   void push(const Sample& sample) {
@@ -58,12 +65,11 @@ class Preintegrator {
       // check_sample() has already given the error message.
     } else if constexpr (Scheme::takes_increments) {
       const Scalar h = window_.since_last(sample.time);
-      window_.push(TimedImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
-                                                   sample.delta_velocity - bias.accel * h},
+      window_.push(ImuIncrement<Scalar, Time>{sample.time, sample.delta_angle - bias.gyro * h,
+                                              sample.delta_velocity - bias.accel * h},
                    step());
     } else {
-      window_.push(TimedImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel},
-                   step());
+      window_.push(ImuSample<Scalar, Time>{sample.time, sample.gyro - bias.gyro, sample.accel - bias.accel}, step());
     }
   }
 
@@ -89,5 +95,11 @@ class Preintegrator {
   [[no_unique_address]] Noise noise_;
   SampleWindow<Scheme, Scalar, Time> window_;
 };
+
+template <typename Scheme, TimePoint Time>
+Preintegrator(Scheme, Time) -> Preintegrator<Scheme, double, Time>;
+template <typename Scheme, TimePoint Time, typename Scalar, typename Noise = Noiseless>
+Preintegrator(Scheme, Time, const ImuBias<Scalar>&, const Noise& = {},
+              const GapOptions<std::type_identity_t<Scalar>>& = {}) -> Preintegrator<Scheme, Scalar, Time, Noise>;
 
 }  // namespace splinertia

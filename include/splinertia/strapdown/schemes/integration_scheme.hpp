@@ -5,8 +5,8 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/strapdown/detail/sample_window.hpp>
-#include <splinertia/strapdown/imu_sample.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 #include <splinertia/time.hpp>
 
@@ -34,8 +34,8 @@ concept IntegrationScheme =
 
 /// Whether S is what the scheme takes: point samples or increments.
 template <typename S, typename Scheme, typename Scalar, typename Time>
-concept SampleFor = (Scheme::takes_increments && ImuIncrement<S, Scalar, Time>) ||
-                    (!Scheme::takes_increments && ImuSample<S, Scalar, Time>);
+concept SampleFor = (Scheme::takes_increments && ImuIncrementOf<S, Scalar, Time>) ||
+                    (!Scheme::takes_increments && ImuSampleOf<S, Scalar, Time>);
 
 /// Whether a scheme takes samples of type S. If not, a static_assert says what it expects.
 template <typename Scheme, typename Scalar, typename Time, typename S>

@@ -14,8 +14,8 @@
 #include <concepts>
 #include <cstddef>
 #include <splinertia/detail/flatten.hpp>
+#include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/strapdown/detail/galilean.hpp>
-#include <splinertia/strapdown/imu_sample.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia {

@@ -17,14 +17,6 @@
 
 namespace splinertia {
 
-/// A random-access range of elements with a time and a value on a group.
-template <typename Poses>
-concept StampedPoses =
-    std::ranges::random_access_range<Poses> && requires(const std::ranges::range_value_t<Poses>& pose) {
-      requires TimePoint<std::remove_cvref_t<decltype(pose.time)>>;
-      requires LieGroup<std::remove_cvref_t<decltype(pose.value)>>;
-    };
-
 /// `pose` converted to the group G: itself, or the same three-dimensional pose.
 template <LieGroup G, LieGroup From>
 [[nodiscard]] G as_group(const From& pose) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <ranges>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/imu/imu_sample.hpp>
+#include <splinertia/strapdown/preintegration/preintegrator.hpp>
+#include <stdexcept>
+#include <type_traits>
+
+namespace splinertia {
+
+namespace detail {
+
+/// The scalar of the samples or increments in a range.
+template <std::ranges::input_range Samples>
+struct ScalarOfSamples {
+  using Sample = std::ranges::range_value_t<Samples>;
+  static auto scalar(const Sample& s) {
+    if constexpr (ImuIncrementLike<Sample>) {
+      return typename std::remove_cvref_t<decltype(s.delta_angle)>::Scalar{};
+    } else {
+      return typename std::remove_cvref_t<decltype(s.gyro)>::Scalar{};
+    }
+  }
+  using type = decltype(scalar(std::declval<const Sample&>()));
+};
+
+}  // namespace detail
+
+/// A range of ImuSamples or ImuIncrements.
+template <typename Samples>
+concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std::ranges::range_value_t<Samples>> ||
+                                                               ImuIncrementLike<std::ranges::range_value_t<Samples>>);
+
+/// The scalar of such a range.
+template <ImuSampleRange Samples>
+using ScalarOfSamples = typename detail::ScalarOfSamples<Samples>::type;
+
+/// The motion that samples have measured from `start` to the last of them (PreintegratedImu), with the biases
+/// subtracted:
+///
+///   const auto motion = preintegrate<TwoSampleIncrements>(start, increments, bias, noise);
+///   motion.delta();                    // and .jacobians(), .covariance(): ImuCovariance, or none without `noise`
+///
+/// Scheme and errors are those of Preintegrator. The first point sample has to be at `start`; the first increment
+/// begins there.
+template <typename Scheme, ImuSampleRange Samples, typename Noise = Noiseless>
+[[nodiscard]] auto preintegrate(TimeOf<std::ranges::range_value_t<Samples>> start, Samples&& samples,
+                                const ImuBias<ScalarOfSamples<Samples>>& bias = {}, const Noise& noise = {},
+                                const GapOptions<ScalarOfSamples<Samples>>& gaps = {}) {
+  using Time = TimeOf<std::ranges::range_value_t<Samples>>;
+  Preintegrator<Scheme, ScalarOfSamples<Samples>, Time, Noise> preintegrator(start, bias, noise, gaps);
+  for (const auto& sample : samples) preintegrator.push(sample);
+  preintegrator.finish();
+  return preintegrator.result();
+}
+
+/// The same from the first to the last of the point samples:
+///
+///   preintegrate<Midpoint>(samples, bias, imu_noise(presets::euroc))
+///
+/// Throws std::invalid_argument if there are none.
+template <typename Scheme, ImuSampleRange Samples, typename Noise = Noiseless>
+  requires ImuSampleLike<std::ranges::range_value_t<Samples>>
+[[nodiscard]] auto preintegrate(Samples&& samples, const ImuBias<ScalarOfSamples<Samples>>& bias = {},
+                                const Noise& noise = {}, const GapOptions<ScalarOfSamples<Samples>>& gaps = {}) {
+  using Time = TimeOf<std::ranges::range_value_t<Samples>>;
+  auto sample = std::ranges::begin(samples);
+  const auto end = std::ranges::end(samples);
+  if (sample == end) refuse<std::invalid_argument>("preintegrate: no samples, expected at least one");
+  Preintegrator<Scheme, ScalarOfSamples<Samples>, Time, Noise> preintegrator((*sample).time, bias, noise, gaps);
+  for (; sample != end; ++sample) preintegrator.push(*sample);
+  preintegrator.finish();
+  return preintegrator.result();
+}
+
+}  // namespace splinertia

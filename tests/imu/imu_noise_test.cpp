@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <splinertia/errors/bias/turn_on_bias.hpp>
+#include <splinertia/errors/noise/gauss_markov.hpp>
+#include <splinertia/imu/imu_noise.hpp>
+#include <splinertia/imu/presets.hpp>
+
+#include "support/catch.hpp"
+
+using namespace splinertia;
+
+TEST_CASE("The noise of an IMU is that of its white noise and random walks") {
+  const ImuNoise noise = imu_noise(presets::euroc);
+  CHECK(noise.gyro_density == Approx(1.6968e-4).epsilon(1e-15));
+  CHECK(noise.accel_density == Approx(2.0e-3).epsilon(1e-15));
+  CHECK(noise.gyro_walk == Approx(1.9393e-5).epsilon(1e-15));
+  CHECK(noise.accel_walk == Approx(3.0e-3).epsilon(1e-15));
+}
+
+TEST_CASE("Terms of a kind add up as squares, the noisiest axis counts, other terms do not") {
+  const Imu imu{ErrorModel{WhiteNoise{3e-3}, TurnOnBias{1.0}, WhiteNoise{4e-3}, GaussMarkov{0.1, 10}},
+                ErrorModel{WhiteNoise{PerAxis<double>(1, 3, 2)}, RandomWalk{0.5}}};
+  const ImuNoise noise = imu_noise(imu);
+  CHECK(noise.gyro_density == Approx(5e-3).epsilon(1e-15));
+  CHECK(noise.gyro_walk == 0);
+  CHECK(noise.accel_density == 3);
+  CHECK(noise.accel_walk == 0.5);
+  CHECK(imu_noise<float>(imu).accel_density == 3.0F);
+  CHECK(imu_noise(Imu{}).accel_density == 0);
+}
