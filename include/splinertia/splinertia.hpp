@@ -39,7 +39,6 @@
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/errors/scale/misalignment_conventions.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
@@ -52,6 +51,7 @@
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/describe.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/simulate.hpp>

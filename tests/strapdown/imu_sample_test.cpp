@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <splinertia/errors/imu_measurement.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/strapdown/imu_sample.hpp>
 
