@@ -120,6 +120,17 @@ TEMPLATE_TEST_CASE("No accepted parameter of a term makes a reading that is no n
   check<S>([](S a, S b, S c) { return RandomVibration<S>(a, b, c); });
   check<S>([](S a, S b, S c) { return FirstOrderBandwidth(P{a, b, c}); });
   check<S>([](S a, S b, S) { return SecondOrderBandwidth<S>(a, b); });
+  check<S>([](S a, S b, S c) { return GSquaredSensitivity(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return SizeEffect<S>(matrix(a, b, c)); });
+  check<S>([](S a, S b, S c) { return VibrationRectification(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return ScaleFactorAsymmetry(P{a, b, c}); });
+  check<S>([](S a, S b, S) { return Spikes(a, b); });
+  check<S>([](S a, S b, S) { return StuckReadings<S>(a, b); });
+  check<S>([](S a, S b, S c) {
+    Matrix3<S> correlation = Matrix3<S>::Identity();
+    correlation(0, 1) = correlation(1, 0) = b;
+    return CorrelatedNoise(P{a, c, a}, correlation);
+  });
   check<S>([](S a, S, S) { return ClockOffset<S>(a); });
   check<S>([](S a, S, S) { return ClockDrift<S>(a); });
   check<S>([](S a, S, S) { return StampJitter<S>(a); });

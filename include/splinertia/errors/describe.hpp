@@ -36,7 +36,7 @@ struct MeasuredUnit {
   if (std::abs(seconds) >= 2) text += message('^', std::abs(seconds));
   if (unit.per_root_hertz) text += "/sqrt(Hz)";
   if (unit.per_kelvin) text += "/K";
-  return text;
+  return unit.reciprocal ? "1/(" + text + ')' : text;
 }
 
 /// A value as text: one number if all axes have the same, matrices row by row.

@@ -45,6 +45,7 @@ struct SensorUnit {
   int per_seconds = 0;
   bool per_root_hertz = false;
   bool per_kelvin = false;
+  bool reciprocal = false;  ///< 1 divided by all that
 };
 
 /// A term that draws random numbers.

@@ -40,8 +40,8 @@ struct Process {
   }
 };
 
-template <typename Scalar, std::size_t Stages>
-std::vector<Process> processes(const BiasInstability<Scalar, Stages>& term, double coefficient = 1) {
+template <typename Scalar, std::size_t Stages, int N>
+std::vector<Process> processes(const BiasInstability<Scalar, Stages, N>& term, double coefficient = 1) {
   std::vector<Process> result;
   for (const auto& [tau, deviation, step] : term.stages(Scalar(0.005)))
     result.push_back({std::pow(coefficient * static_cast<double>(deviation), 2), static_cast<double>(tau)});
