@@ -79,7 +79,7 @@ template <typename Model>
   Vector sum = Vector::Zero();
   for (std::size_t i = 0; i < calls; ++i) {
     const Vector& x = measurements[i % 4096];
-    Sample<double> sample{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval, {x, x}};
+    ImuSensorSample<double> sample{{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval}, {x, x}};
     model.apply(sample, state);
     sum += sample.value;
   }
@@ -322,7 +322,8 @@ void full_sensor(std::size_t calls) {
   Sums sums;
   for (std::size_t i = 0; i < calls; ++i) {
     const Vector& x = measurements[i % 4096];
-    Sample<double> gyro{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval, {x, x}}, accel = gyro;
+    ImuSensorSample<double> gyro{{x, Vector::Zero(), interval, i == 0, static_cast<double>(i) * interval}, {x, x}},
+        accel = gyro;
     model.apply(gyro, gyro_state);
     model.apply(accel, accel_state);
     sums.gyro += gyro.value;

@@ -44,7 +44,7 @@ struct Options {
 struct TurnOnBias {
   struct State {};
   Eigen::Vector3d bias;
-  void apply(Sample<double>& sample, State&) const {
+  void apply(SensorSample<double>& sample, State&) const {
     sample.value += bias;
     sample.bias += bias;
   }

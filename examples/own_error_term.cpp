@@ -20,7 +20,7 @@ struct Sticking {
 
   double probability;  // that a sample repeats the previous one
 
-  void apply(Sample<double>& sample, auto& state) const {
+  void apply(SensorSample<double>& sample, auto& state) const {
     if (state.uniform() < probability && !sample.first) sample.value = state.last;
     state.last = sample.value;
   }

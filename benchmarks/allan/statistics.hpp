@@ -56,12 +56,7 @@ Signals simulate_terms(const ErrorModel<Terms...>& model, std::size_t n, std::ui
   Signals signals;
   for (auto& signal : signals) signal.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    Sample<double> sample{Vector::Zero(),
-                          Vector::Zero(),
-                          1 / rate,
-                          i == 0,
-                          static_cast<double>(i) / rate,
-                          {Vector::Zero(), Vector::Zero()}};
+    SensorSample<double> sample{Vector::Zero(), Vector::Zero(), 1 / rate, i == 0, static_cast<double>(i) / rate};
     model.apply(sample, state);
     for (std::size_t axis = 0; axis < 3; ++axis) signals[axis][i] = sample.value[static_cast<Eigen::Index>(axis)];
   }

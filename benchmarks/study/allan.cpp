@@ -53,12 +53,7 @@ std::array<Log, 3> simulate_logs(const Case& of, std::uint64_t seed) {
   std::array<Log, 3> logs;
   for (Log& log : logs) log.resize(of.samples);
   for (std::size_t i = 0; i < of.samples; ++i) {
-    Sample<double> sample{Vector::Zero(),
-                          Vector::Zero(),
-                          1 / of.rate,
-                          i == 0,
-                          static_cast<double>(i) / of.rate,
-                          {Vector::Zero(), Vector::Zero()}};
+    SensorSample<double> sample{Vector::Zero(), Vector::Zero(), 1 / of.rate, i == 0, static_cast<double>(i) / of.rate};
     model.apply(sample, state);
     for (std::size_t axis = 0; axis < 3; ++axis) logs[axis][i] = sample.value[static_cast<Eigen::Index>(axis)];
   }

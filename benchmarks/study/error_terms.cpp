@@ -26,10 +26,10 @@
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/imu_errors.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <string>

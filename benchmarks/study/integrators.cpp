@@ -97,10 +97,10 @@ Run noisy_run(const Run& exact, const Sensors& sensors, std::uint64_t seed) {
 /// See within_run() of an Imu.
 template <typename Term>
 inline constexpr bool is_left_out = false;
-template <typename Scalar>
-inline constexpr bool is_left_out<TurnOnBias<Scalar>> = true;
-template <typename Scalar>
-inline constexpr bool is_left_out<Saturation<Scalar>> = true;
+template <typename Scalar, int N>
+inline constexpr bool is_left_out<TurnOnBias<Scalar, N>> = true;
+template <typename Scalar, int N>
+inline constexpr bool is_left_out<Saturation<Scalar, N>> = true;
 
 /// A model without the terms that are left out.
 template <typename... Terms>

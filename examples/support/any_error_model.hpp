@@ -11,14 +11,15 @@
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/imu/describe.hpp>
+#include <splinertia/imu/imu_sensor_sample.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-/// Error terms in the order in which they apply to an AnySample: Sample<double> of a sensor or Stamp<double> of a
-/// clock. An Imu can use it in place of an ErrorModel.
+/// Error terms in the order in which they apply to an AnySample: ImuSensorSample<double> of a sensor or Stamp<double> of
+/// a clock. An Imu can use it in place of an ErrorModel.
 template <typename AnySample>
 class AnyErrorModel {
   struct RunningTerm {
@@ -45,23 +46,23 @@ class AnyErrorModel {
   /// Appends a term. Throws std::invalid_argument if it is incompatible with one of the others.
   template <splinertia::ErrorTerm T>
   void add(const T& term) {
-    check_beside<splinertia::Saturation<double>>(term);
-    check_beside<splinertia::Quantization<double>>(term);
+    check_beside<splinertia::Saturation<double, 1>, splinertia::Saturation<double, 3>>(term);
+    check_beside<splinertia::Quantization<double, 1>, splinertia::Quantization<double, 3>>(term);
     terms_.push_back(std::make_shared<const Held<T>>(term));
   }
 
-  /// Replaces the first term of the same type and removes the others of that type. Appends the term if there are none.
+  /// Replaces the first term of the same name and removes the others of that name. Appends the term if there are none.
   template <splinertia::ErrorTerm T>
   void replace(const T& term) {
-    const auto is_one = [](const auto& other) { return dynamic_cast<const Held<T>*>(other.get()) != nullptr; };
+    const auto is_one = [](const auto& other) { return other->name() == T::name; };
     const auto first = std::find_if(terms_.begin(), terms_.end(), is_one);
     if (first == terms_.end()) return add(term);
     *first = std::make_shared<const Held<T>>(term);
     terms_.erase(std::remove_if(first + 1, terms_.end(), is_one), terms_.end());
   }
 
-  template <splinertia::BitGenerator Generator = splinertia::Xoshiro256>
-    requires std::same_as<Generator, splinertia::Xoshiro256>
+  template <int Axes = AnySample::axes, splinertia::BitGenerator Generator = splinertia::Xoshiro256>
+    requires(Axes == AnySample::axes && std::same_as<Generator, splinertia::Xoshiro256>)
   [[nodiscard]] State start(splinertia::StreamKey sensor) const {
     State state;
     std::map<std::string_view, std::uint64_t> occurrences;
@@ -93,8 +94,12 @@ class AnyErrorModel {
   }
 
  private:
-  template <typename Other>
+  template <typename... Others>
   void check_beside(const auto& term) const {
+    (check_beside_one<Others>(term), ...);
+  }
+  template <typename Other>
+  void check_beside_one(const auto& term) const {
     if constexpr (requires(const Other& other) { check_together(term, other); }) {
       for (const Other& other : all<Other>()) check_together(term, other);
     }
@@ -106,7 +111,7 @@ class AnyErrorModel {
   template <typename T>
   struct Running final : RunningTerm {
     T term;
-    splinertia::StateOf<T> state;
+    splinertia::StateOf<T, AnySample::axes> state;
 
     template <typename... Key>
     explicit Running(const T& term_, const Key&... key) : term(term_), state(key...) {}
@@ -137,7 +142,7 @@ template <typename AnySample>
   return model.describe(kind);
 }
 
-using AnySensorModel = AnyErrorModel<splinertia::Sample<double>>;
+using AnySensorModel = AnyErrorModel<splinertia::ImuSensorSample<double>>;
 using AnyStampModel = AnyErrorModel<splinertia::Stamp<double>>;
 using AnyImu = splinertia::Imu<AnySensorModel, AnySensorModel, AnyStampModel>;
 

@@ -57,13 +57,13 @@ Misalignment<double> misalignment(Parameters& p) {
   return p["matrix"].matrix();
 }
 
-GaussMarkov<double> gauss_markov(Parameters& p) {
+GaussMarkov<double, 3> gauss_markov(Parameters& p) {
   const auto deviation = p.per_axis("standard_deviation"), time = p.per_axis("correlation_time");
   if (p.has("initial_value")) return {deviation, time, p.per_axis("initial_value")};
   return {deviation, time};
 }
 
-BiasInstability<double> bias_instability(Parameters& p) {
+BiasInstability<double, 7, 3> bias_instability(Parameters& p) {
   FlickerBand<double> band;
   const auto coefficient = [&]() -> PerAxis<double> {
     if (!p.has("floor")) return p.per_axis("coefficient");

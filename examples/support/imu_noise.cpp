@@ -5,8 +5,8 @@
 #include <cmath>
 #include <splinertia/errors/noise/random_walk.hpp>
 #include <splinertia/errors/noise/white_noise.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 
 using namespace splinertia;
 
@@ -26,10 +26,11 @@ const Names& names_of(Estimator estimator) {
 }
 
 // The root of the sum of squares of the densities of all terms T, on the axis where it is largest.
-template <typename T>
+template <template <typename, int> typename T>
 double density_of(const AnySensorModel& model) {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-  for (const T& term : model.all<T>()) squares += term.density.vector().cwiseAbs2();
+  for (const auto& term : model.all<T<double, 1>>()) squares += term.density.template vector<3>().cwiseAbs2();
+  for (const auto& term : model.all<T<double, 3>>()) squares += term.density.vector().cwiseAbs2();
   return std::sqrt(squares.maxCoeff());
 }
 
@@ -53,10 +54,10 @@ AnyImu errors_of(const ImuNoise& noise) {
 
 std::optional<ImuNoise> imu_noise_of(const AnyImu& imu, double rate) {
   ImuNoise noise;
-  noise.gyro_noise_density = density_of<WhiteNoise<double>>(imu.gyro);
-  noise.gyro_random_walk = density_of<RandomWalk<double>>(imu.gyro);
-  noise.accel_noise_density = density_of<WhiteNoise<double>>(imu.accel);
-  noise.accel_random_walk = density_of<RandomWalk<double>>(imu.accel);
+  noise.gyro_noise_density = density_of<WhiteNoise>(imu.gyro);
+  noise.gyro_random_walk = density_of<RandomWalk>(imu.gyro);
+  noise.accel_noise_density = density_of<WhiteNoise>(imu.accel);
+  noise.accel_random_walk = density_of<RandomWalk>(imu.accel);
   noise.update_rate = rate;
   if (std::min({noise.gyro_noise_density, noise.gyro_random_walk, noise.accel_noise_density, noise.accel_random_walk}) >
       0) {

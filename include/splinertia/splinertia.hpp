@@ -29,6 +29,7 @@
 #include <splinertia/errors/clock/dropped_samples.hpp>
 #include <splinertia/errors/clock/stamp_jitter.hpp>
 #include <splinertia/errors/noise/bias_instability.hpp>
+#include <splinertia/errors/noise/correlated_noise.hpp>
 #include <splinertia/errors/noise/gauss_markov.hpp>
 #include <splinertia/errors/noise/quantization_noise.hpp>
 #include <splinertia/errors/noise/random_vibration.hpp>
@@ -39,10 +40,14 @@
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
+#include <splinertia/errors/output/spikes.hpp>
+#include <splinertia/errors/output/stuck_readings.hpp>
 #include <splinertia/errors/scale/misalignment_conventions.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
+#include <splinertia/errors/scale/scale_factor_asymmetry.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
+#include <splinertia/errors/scale/vibration_rectification.hpp>
+#include <splinertia/errors/sensor_errors.hpp>
 #include <splinertia/evaluation/trajectory_alignment.hpp>
 #include <splinertia/evaluation/trajectory_association.hpp>
 #include <splinertia/evaluation/trajectory_drift.hpp>
@@ -53,6 +58,9 @@
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/describe.hpp>
 #include <splinertia/imu/imu_noise.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
+#include <splinertia/imu/errors/g_squared_sensitivity.hpp>
+#include <splinertia/imu/errors/size_effect.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/simulate.hpp>

@@ -23,12 +23,12 @@ namespace user {
 /// Without state and without random numbers.
 struct Doubling {
   struct State {};
-  void apply(Sample<double>& sample, State&) const { sample.value *= 2; }
+  void apply(SensorSample<double>& sample, State&) const { sample.value *= 2; }
 };
 
 struct PlusOne {
   struct State {};
-  void apply(Sample<double>& sample, State&) const { sample.value.array() += 1; }
+  void apply(SensorSample<double>& sample, State&) const { sample.value.array() += 1; }
 };
 
 /// With state: the reading of the sample before.
@@ -36,7 +36,7 @@ struct OneSampleLate {
   struct State {
     Eigen::Vector3d held = Eigen::Vector3d::Zero();
   };
-  void apply(Sample<double>& sample, State& state) const { std::swap(sample.value, state.held); }
+  void apply(SensorSample<double>& sample, State& state) const { std::swap(sample.value, state.held); }
 };
 
 /// With random numbers: now and then an axis reads nothing.
@@ -47,7 +47,7 @@ struct Blackout {
 
   double probability;
 
-  void apply(Sample<double>& sample, auto& random) const {
+  void apply(SensorSample<double>& sample, auto& random) const {
     if (random.uniform() < probability) sample.value.x() = 0;
   }
 };
@@ -55,7 +55,7 @@ struct Blackout {
 /// Not two of these, and none behind a OneSampleLate or before it.
 struct Jealous {
   struct State {};
-  void apply(Sample<double>&, State&) const {}
+  void apply(SensorSample<double>&, State&) const {}
 };
 inline void check_together(const Jealous&, const Jealous&) { throw std::invalid_argument("one Jealous is enough"); }
 inline void check_together(const OneSampleLate&, const Jealous&) { throw std::invalid_argument("too late"); }
@@ -68,7 +68,7 @@ using user::Blackout, user::Doubling, user::Jealous, user::OneSampleLate, user::
 
 template <BitGenerator Generator = Xoshiro256>
 std::vector<Eigen::Vector3d> run(const auto& model, std::uint64_t seed, int n = 50) {
-  auto state = model.template start<Generator>(StreamKey(seed) / "gyro");
+  auto state = model.template start<3, Generator>(StreamKey(seed) / "gyro");
   std::vector<Eigen::Vector3d> values;
   for (int i = 0; i < n; ++i) {
     auto sample = testing::sample_with<double>({1, 2, 3}, {0, 0, 0}, 0.01 * i);
@@ -90,7 +90,8 @@ TEST_CASE("The empty model is an empty type and changes nothing") {
 
 TEST_CASE("A model takes the room of its terms' parameters") {
   STATIC_CHECK(std::is_empty_v<ErrorModel<Doubling, PlusOne>>);
-  STATIC_CHECK(sizeof(ErrorModel<WhiteNoise<float>, RandomWalk<float>>) == 6 * sizeof(float));
+  STATIC_CHECK(sizeof(ErrorModel<WhiteNoise<float>, RandomWalk<float>>) ==
+               6 * sizeof(float));  // one value has room for three
   STATIC_CHECK(sizeof(ErrorModel<WhiteNoise<float>, Doubling>) == 3 * sizeof(float));
 }
 

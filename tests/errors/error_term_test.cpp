@@ -53,8 +53,8 @@ TEST_CASE("A term is known by its state") {
   STATIC_CHECK(!StochasticTerm<ConstantBias<double>>);
   STATIC_CHECK(!ErrorTerm<double>);
   STATIC_CHECK(std::is_same_v<StateOf<WhiteNoise<double>>, NormalStreams<Xoshiro256>>);
-  STATIC_CHECK(std::is_same_v<StateOf<WhiteNoise<double>, std::mt19937>, NormalStreams<std::mt19937>>);
-  STATIC_CHECK(std::is_same_v<StateOf<ConstantBias<double>, std::mt19937>, ConstantBias<double>::State>);
+  STATIC_CHECK(std::is_same_v<StateOf<WhiteNoise<double>, 3, std::mt19937>, NormalStreams<std::mt19937>>);
+  STATIC_CHECK(std::is_same_v<StateOf<ConstantBias<double>, 3, std::mt19937>, ConstantBias<double>::State>);
 }
 
 TEST_CASE("Coefficients are made anew only for another interval") {

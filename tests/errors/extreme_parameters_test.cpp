@@ -62,7 +62,8 @@ void check_term(const Term& term, const std::string& parameters) {
         good = !std::isnan(stamp.offset);
       } else {
         const Vector3<Scalar> value(Scalar(0), Scalar(i), Scalar(-9.8));
-        Sample<Scalar> sample{value, Vector3<Scalar>::Constant(Scalar(0.1)), interval, i == 0, elapsed, {value, value}};
+        ImuSensorSample<Scalar> sample{{value, Vector3<Scalar>::Constant(Scalar(0.1)), interval, i == 0, elapsed},
+                                       {value, value}};
         model.apply(sample, state);
         good = !sample.value.hasNaN() && !sample.bias.hasNaN();
       }
@@ -95,18 +96,18 @@ Matrix3<Scalar> matrix(Scalar a, Scalar b, Scalar c) {
 TEMPLATE_TEST_CASE("No accepted parameter of a term makes a reading that is no number", "", float, double) {
   using S = TestType;
   using P = PerAxis<S>;
-  check<S>([](S a, S b, S c) { return ConstantBias<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return TurnOnBias<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return WhiteNoise<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return RandomWalk<S>(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return ConstantBias(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return TurnOnBias(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return WhiteNoise(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return RandomWalk(P{a, b, c}); });
   check<S>([](S a, S b, S) { return GaussMarkov<S>(a, b); });
-  check<S>([](S a, S b, S c) { return GaussMarkov<S>(a, b, P(c)); });
+  check<S>([](S a, S b, S c) { return GaussMarkov<S>(a, b, PerAxis(c)); });
   check<S>([](S a, S b, S c) { return BiasInstability<S>(a, FlickerBand<S>{b, c}); });
-  check<S>([](S a, S b, S c) { return RateRamp<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return QuantizationNoise<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return Quantization<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return Saturation<S>(P{a, b, c}); });
-  check<S>([](S a, S b, S c) { return ScaleFactor<S>(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return RateRamp(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return QuantizationNoise(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return Quantization(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return Saturation(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return ScaleFactor(P{a, b, c}); });
   check<S>([](S a, S b, S c) { return Misalignment<S>(matrix(a, b, c)); });
   check<S>([](S a, S b, S c) { return GSensitivity<S>(matrix(a, b, c)); });
   check<S>([](S a, S b, S c) { return TemperatureBias<S, WarmUp<S>>(a, WarmUp<S>(b, c, S(10)), S(25)); });
@@ -117,8 +118,19 @@ TEMPLATE_TEST_CASE("No accepted parameter of a term makes a reading that is no n
   check<S>([](S a, S b, S c) { return TemperatureScale<S, WarmUp<S>>(a, WarmUp<S>(b, S(60), S(10)), c); });
   check<S>([](S a, S b, S c) { return SinusoidalVibration<S>(a, b, c); });
   check<S>([](S a, S b, S c) { return RandomVibration<S>(a, b, c); });
-  check<S>([](S a, S b, S c) { return FirstOrderBandwidth<S>(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return FirstOrderBandwidth(P{a, b, c}); });
   check<S>([](S a, S b, S) { return SecondOrderBandwidth<S>(a, b); });
+  check<S>([](S a, S b, S c) { return GSquaredSensitivity(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return SizeEffect<S>(matrix(a, b, c)); });
+  check<S>([](S a, S b, S c) { return VibrationRectification(P{a, b, c}); });
+  check<S>([](S a, S b, S c) { return ScaleFactorAsymmetry(P{a, b, c}); });
+  check<S>([](S a, S b, S) { return Spikes(a, b); });
+  check<S>([](S a, S b, S) { return StuckReadings<S>(a, b); });
+  check<S>([](S a, S b, S c) {
+    Matrix3<S> correlation = Matrix3<S>::Identity();
+    correlation(0, 1) = correlation(1, 0) = b;
+    return CorrelatedNoise(P{a, c, a}, correlation);
+  });
   check<S>([](S a, S, S) { return ClockOffset<S>(a); });
   check<S>([](S a, S, S) { return ClockDrift<S>(a); });
   check<S>([](S a, S, S) { return StampJitter<S>(a); });
@@ -132,8 +144,8 @@ TEMPLATE_TEST_CASE("A damping ratio of any size is right or refused", "", float,
       const SecondOrderBandwidth<S> filter(S(10), damping);
       check_term<S>(filter, message(damping));
       // Two lags far apart: the slow one has the time constant 2ζ/ω.
-      StateOf<SecondOrderBandwidth<S>> state{};
-      Sample<S> sample = testing::sample_with<S>(Vector3<S>::Zero());
+      StateOf<SecondOrderBandwidth<S>, 3> state{};
+      SensorSample<S> sample = testing::sample_with<S>(Vector3<S>::Zero());
       sample.interval = damping / S(1000);
       filter.apply(sample, state);
       for (int i = 0; i < 2; ++i) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/errors/error_term.hpp>
+#include <splinertia/imu/imu_sensor_sample.hpp>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -18,15 +19,15 @@ constexpr Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
 
 /// The sample at `elapsed` of a run at 100 Hz, with that much in value and bias before the term.
 template <typename Scalar = double>
-Sample<Scalar> sample_with(const Vector3<Scalar>& value, const Vector3<Scalar>& bias = Vector3<Scalar>::Zero(),
-                           Scalar elapsed = Scalar(0)) {
-  return {value, bias, Scalar(1) / Scalar(100), elapsed == Scalar(0), elapsed, {value, value}};
+ImuSensorSample<Scalar> sample_with(const Vector3<Scalar>& value, const Vector3<Scalar>& bias = Vector3<Scalar>::Zero(),
+                                    Scalar elapsed = Scalar(0)) {
+  return {{value, bias, Scalar(1) / Scalar(100), elapsed == Scalar(0), elapsed}, {value, value}};
 }
 
 /// What a term makes of the first sample of its run.
 template <typename Term, typename Scalar>
-Sample<Scalar> applied(const Term& term, Sample<Scalar> sample) {
-  typename Term::State state{};
+ImuSensorSample<Scalar> applied(const Term& term, ImuSensorSample<Scalar> sample) {
+  StateOf<Term> state{};
   term.apply(sample, state);
   return sample;
 }
@@ -35,12 +36,12 @@ Sample<Scalar> applied(const Term& term, Sample<Scalar> sample) {
 /// must be twice the reading.
 template <typename Term, typename Scalar>
 std::vector<Vector3<Scalar>> responses(const Term& term, const std::vector<Scalar>& times, const auto& input) {
-  typename Term::State state{};
+  StateOf<Term> state{};
   std::vector<Vector3<Scalar>> outputs;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Vector3<Scalar> value = input(times[i]), bias = Scalar(2) * value;
     const Scalar interval = i == 0 ? times[1] - times[0] : times[i] - times[i - 1];
-    Sample<Scalar> sample{value, bias, interval, i == 0, times[i] - times[0], {}};
+    SensorSample<Scalar> sample{value, bias, interval, i == 0, times[i] - times[0]};
     term.apply(sample, state);
     REQUIRE(sample.bias == Scalar(2) * sample.value);
     outputs.push_back(sample.value);

@@ -63,15 +63,14 @@ struct Record {
 
 template <typename Scalar, typename Generator = Xoshiro256, typename... Terms>
 [[nodiscard]] Record record(const ErrorModel<Terms...>& model, const Intervals& intervals, std::uint64_t seed) {
-  auto state = model.template start<Generator>(StreamKey(seed) / "gyro");
+  auto state = model.template start<3, Generator>(StreamKey(seed) / "gyro");
   Record result;
   for (auto& axis : result.axes) axis.reserve(intervals.size());
   double elapsed = 0;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     if (i > 0) elapsed += intervals[i];
-    Sample<Scalar> sample{Vector3<Scalar>::Zero(),           Vector3<Scalar>::Zero(),
-                          static_cast<Scalar>(intervals[i]), i == 0,
-                          static_cast<Scalar>(elapsed),      {Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero()}};
+    SensorSample<Scalar> sample{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), static_cast<Scalar>(intervals[i]),
+                                i == 0, static_cast<Scalar>(elapsed)};
     model.apply(sample, state);
     for (int axis = 0; axis < 3; ++axis)
       result.axes[static_cast<std::size_t>(axis)].push_back(static_cast<double>(sample.value[axis]));

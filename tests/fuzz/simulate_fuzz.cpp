@@ -31,7 +31,7 @@ void add_term(Numbers& n, AnySensorModel& model) {
     case 4:
       return model.add(GaussMarkov{any(), any()});
     case 5:
-      return model.add(BiasInstability<double>{any(), {n(), n()}});
+      return model.add(BiasInstability{any(), FlickerBand<double>{n(), n()}});
     case 6:
       return model.add(RateRamp{any()});
     case 7:

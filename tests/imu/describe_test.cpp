@@ -15,14 +15,14 @@ namespace {
 
 struct Nameless {
   struct State {};
-  void apply(Sample<double>&, State&) const {}
+  void apply(SensorSample<double>&, State&) const {}
 };
 
 struct Named {
   static constexpr std::string_view name = "my term";
   struct State {};
   double mass = 2, age = 3;
-  void apply(Sample<double>&, State&) const {}
+  void apply(SensorSample<double>&, State&) const {}
   void describe(auto&& parameter) const {
     parameter("mass", mass, "kg");
     parameter("age", age, "");

@@ -54,7 +54,7 @@ bool same(const auto& a, const auto& b) {
 struct Recorder {
   struct State {};
   std::vector<std::pair<bool, double>>* seen;
-  void apply(Sample<double>& sample, State&) const {
+  void apply(ImuSensorSample<double>& sample, State&) const {
     seen->emplace_back(sample.first, sample.elapsed);
     CHECK(sample.truth.gyro == ideal.gyro);
     CHECK(sample.truth.accel == ideal.accel);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <splinertia/errors/imu_measurement.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/imu/simulate.hpp>
 

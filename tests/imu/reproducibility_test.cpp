@@ -59,8 +59,8 @@ std::uint64_t hash_of_all_terms(int n) {
   const Vector3<Scalar> truth(Scalar(0.125), Scalar(-0.5), Scalar(9.80665));
   std::uint64_t hash = 0;
   for (int i = 0; i < n; ++i) {
-    Sample<Scalar> sample{truth,  Vector3<Scalar>::Zero(),   i % 100 == 0 ? Scalar(0.0075) : Scalar(0.005),
-                          i == 0, Scalar(i) * Scalar(0.005), {Vector3<Scalar>::Zero(), truth}};
+    SensorSample<Scalar> sample{truth, Vector3<Scalar>::Zero(), i % 100 == 0 ? Scalar(0.0075) : Scalar(0.005), i == 0,
+                                Scalar(i) * Scalar(0.005)};
     model.apply(sample, state);
     for (int axis = 0; axis < 3; ++axis) {
       hash = scramble(hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(sample.value[axis])));

@@ -150,7 +150,7 @@ TEST_CASE("Several IMUs of a run have errors of their own, each the same whateve
   // The name of its random numbers.
   auto state = noisy.gyro.start(StreamKey(1) / 1 / "gyro");
   const auto ideal_first = ideal_imu(motion.evaluate<2>(0.0));
-  Sample<double> sample{ideal_first.gyro, Eigen::Vector3d::Zero(), 1 / 200.0, true, 0, ideal_first};
+  SensorSample<double> sample{ideal_first.gyro, Eigen::Vector3d::Zero(), 1 / 200.0, true, 0};
   noisy.gyro.apply(sample, state);
   CHECK(sample.value == second.first[0]);
 }

@@ -19,11 +19,11 @@
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/spline/evaluate.hpp>
@@ -244,7 +244,7 @@ TEST_CASE("50 digits: every error term makes of the same random numbers what it 
 }
 
 TEST_CASE("50 digits: rounding, and what is refused") {
-  Sample<Real> sample{Vector3<Real>::Constant(Real(7) / 3), Vector3<Real>::Zero(), Real(1), true, Real(0), {}};
+  SensorSample<Real> sample{Vector3<Real>::Constant(Real(7) / 3), Vector3<Real>::Zero(), Real(1), true, Real(0)};
   Quantization<Real>::State state;
   Quantization<Real>{Real("0.1")}.apply(sample, state);
   CHECK(sample.value[0] == 23 * Real("0.1"));

@@ -83,7 +83,7 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::StampJitter<Scalar>;                                                          \
   template struct splinertia::DroppedSamples<Scalar>;                                                       \
   template struct splinertia::Stamp<Scalar>;                                                                \
-  template struct splinertia::Sample<Scalar>;                                                               \
+  template struct splinertia::SensorSample<Scalar>;                                                         \
   template class splinertia::ErrorModel<WhiteNoise<Scalar>, RandomWalk<Scalar>>;                            \
   template struct splinertia::BasicImuReading<Scalar, nanoseconds>;                                         \
   template struct splinertia::StampedImuReading<Scalar, Scalar>;                                            \

@@ -17,10 +17,10 @@
 #include <splinertia/errors/output/saturation.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/spline/spline.hpp>
 
@@ -188,10 +188,10 @@ TEST_CASE("Jets: a reading differentiates by the parameters of its errors") {
                            WhiteNoise{PerAxis<T>(p[11])},
                            Saturation{PerAxis<T>(T(1000))}};
     auto state = model.start(StreamKey(1));
-    Sample<T> sample;
+    ImuSensorSample<T> sample;
     for (int i = 0; i < 3; ++i) {
       const Vector3<T> omega(T(1.0 + i), T(2.0), T(3.0 * i)), force(T(4.0), T(5.0), T(6.0));
-      sample = {omega, Vector3<T>::Zero(), T(0.125), i == 0, T(0.125 * i), {omega, force}};
+      sample = {{omega, Vector3<T>::Zero(), T(0.125), i == 0, T(0.125 * i)}, {omega, force}};
       model.apply(sample, state);
     }
     return sample.value;

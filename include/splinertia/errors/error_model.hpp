@@ -14,15 +14,16 @@ namespace splinertia {
 template <typename A, typename B>
 inline constexpr bool are_checked_together = requires(const A& a, const B& b) { check_together(a, b); };
 
-/// The error terms of one three-axis sensor, applied in the order written:
+/// The error terms of one sensor, applied in the order written:
 ///
 ///   ErrorModel gyro{RandomWalk{5e-5}, WhiteNoise{0.015}};
 ///   ErrorModel ideal{};                                     // an empty type that does nothing
 ///
 /// An ErrorModel can also hold the errors of a clock's time stamps:
-/// ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. Terms that are not in the model cost nothing. See
-/// error_term.hpp for terms of your own. The constructor calls check_together(a, b) or check_together(b, a), if there
-/// is one, to reject incompatible terms.
+/// ErrorModel stamps{ClockOffset{0.003}, DroppedSamples{0.01}}. Terms that are not in the model cost nothing. A model
+/// serves sensors of any number of axes, unless a parameter has one value for each axis. simulate() and ImuErrors apply
+/// it to an IMU, SensorErrors to any other sensor. See error_term.hpp for terms of your own. The constructor calls
+/// check_together(a, b) or check_together(b, a), if there is one, to reject incompatible terms.
 template <typename... Terms>
 class ErrorModel {
   static_assert((check_error_term<Terms>() && ...));
@@ -32,9 +33,9 @@ class ErrorModel {
       "…) need a model of their own, Imu{gyro, accel, stamps}");
 
  public:
-  /// What changes from sample to sample, for one sensor in one run.
-  template <BitGenerator Generator = Xoshiro256>
-  using State = std::tuple<StateOf<Terms, Generator>...>;
+  /// What changes from sample to sample, for one sensor of so many axes (a clock has 1) in one run.
+  template <BitGenerator Generator = Xoshiro256, int Axes = 3>
+  using State = std::tuple<StateOf<Terms, Axes, Generator>...>;
 
   /// Throws std::invalid_argument for incompatible terms.
   constexpr ErrorModel(Terms... terms) : terms_(std::move(terms)...) {
@@ -43,16 +44,16 @@ class ErrorModel {
 
   /// The state before the first sample. Each term has its own random streams under the key `sensor`, named by the term
   /// and by the number of terms of the same name before it.
-  template <BitGenerator Generator = Xoshiro256>
-  [[nodiscard]] State<Generator> start(StreamKey sensor) const {
+  template <int Axes = 3, BitGenerator Generator = Xoshiro256>
+  [[nodiscard]] State<Generator, Axes> start(StreamKey sensor) const {
     return [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      return State<Generator>{start_term<Index, Generator>(sensor)...};
+      return State<Generator, Axes>{start_term<Index, Axes, Generator>(sensor)...};
     }(indices);
   }
 
-  /// Applies all terms, in their order, to a sample (a Sample or a Stamp).
+  /// Applies all terms, in their order, to a sample (a SensorSample or a Stamp).
   template <typename AnySample, typename AnyState>
-    requires(AppliesTo<Terms, AnySample&, StateOf<Terms>> && ...)
+    requires(AppliesTo<Terms, AnySample&, StateOf<Terms, AnySample::axes>> && ...)
   [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
     apply_all(sample, state, indices);
   }
@@ -110,12 +111,12 @@ class ErrorModel {
     }(std::make_index_sequence<Index>{});
   }
 
-  template <std::size_t Index, typename Generator>
+  template <std::size_t Index, int Axes, typename Generator>
   static auto start_term(StreamKey sensor) {
     if constexpr (StochasticTerm<Term<Index>>) {
-      return StateOf<Term<Index>, Generator>(sensor / Term<Index>::name / occurrence<Index>());
+      return StateOf<Term<Index>, Axes, Generator>(sensor / Term<Index>::name / occurrence<Index>());
     } else {
-      return StateOf<Term<Index>, Generator>{};
+      return StateOf<Term<Index>, Axes, Generator>{};
     }
   }
 
@@ -125,13 +126,13 @@ class ErrorModel {
 static_assert(std::is_empty_v<ErrorModel<>>);
 
 /// The state of a model before the first sample of a run.
-template <typename Model, BitGenerator Generator = Xoshiro256>
-using StateOfModel = decltype(std::declval<const Model&>().template start<Generator>(std::declval<StreamKey>()));
+template <typename Model, int Axes = 3, BitGenerator Generator = Xoshiro256>
+using StateOfModel = decltype(std::declval<const Model&>().template start<Axes, Generator>(std::declval<StreamKey>()));
 
-/// The errors of a sensor, or of its clock, in an Imu: an ErrorModel, or a type of your own with start() and apply().
+/// The errors of a sensor, or of its clock: an ErrorModel, or a type of your own with start() and apply().
 template <typename Model>
-concept SensorModel = AppliesToSome<Model, StateOfModel<Model>, Sample>;
+concept SensorModel = AppliesToSensor<Model, StateOfModel<Model>>;
 template <typename Model>
-concept ClockModel = AppliesToSome<Model, StateOfModel<Model>, Stamp>;
+concept ClockModel = AppliesToClock<Model, StateOfModel<Model, Stamp<double>::axes>>;
 
 }  // namespace splinertia

@@ -2,8 +2,8 @@
 /// What a perfect IMU measures.
 #pragma once
 
-#include <splinertia/errors/imu_measurement.hpp>
 #include <splinertia/group/pose.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/imu/mounting.hpp>
 #include <splinertia/motion/kinematics.hpp>
 

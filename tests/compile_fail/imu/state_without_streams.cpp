@@ -8,6 +8,6 @@ struct Bad {
     Normals normals;
     int count;
   };
-  void apply(Sample<double>& sample, auto& state) const { sample.value += state.normals.template draw<double>(); }
+  void apply(SensorSample<double>& sample, auto& state) const { sample.value += state.normals.template draw<double>(); }
 };
 const ErrorModel model{Bad{}};

@@ -1,8 +1,8 @@
-// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+// expect: an error term needs .void apply\(SensorSample<double>& sample, State& state\) const
 #include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   struct State {};
-  void apply(Sample<float> sample, State&) const { sample.value.setZero(); }
+  void apply(SensorSample<float> sample, State&) const { sample.value.setZero(); }
 };
 const ErrorModel model{Bad{}};

@@ -1,8 +1,8 @@
-// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+// expect: an error term needs .void apply\(SensorSample<double>& sample, State& state\) const
 #include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   struct State {};
-  void apply(const Sample<double>&, State&) const {}
+  void apply(const SensorSample<double>&, State&) const {}
 };
 const ErrorModel model{Bad{}};

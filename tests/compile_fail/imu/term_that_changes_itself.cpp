@@ -1,9 +1,9 @@
-// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+// expect: an error term needs .void apply\(SensorSample<double>& sample, State& state\) const
 #include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
   struct State {};
   int count = 0;
-  void apply(Sample<double>& sample, State&) { sample.value.x() += ++count; }
+  void apply(SensorSample<double>& sample, State&) { sample.value.x() += ++count; }
 };
 const ErrorModel model{Bad{}};

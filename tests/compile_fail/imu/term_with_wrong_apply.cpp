@@ -1,4 +1,4 @@
-// expect: an error term needs .void apply\(Sample<double>& sample, State& state\) const
+// expect: an error term needs .void apply\(SensorSample<double>& sample, State& state\) const
 #include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {

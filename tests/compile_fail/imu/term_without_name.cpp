@@ -4,6 +4,6 @@ using namespace splinertia;
 struct Bad {
   template <typename Normals>
   using State = Normals;
-  void apply(Sample<double>& sample, auto& normals) const { sample.value += normals.template draw<double>(); }
+  void apply(SensorSample<double>& sample, auto& normals) const { sample.value += normals.template draw<double>(); }
 };
 const ErrorModel model{Bad{}};

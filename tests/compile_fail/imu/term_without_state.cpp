@@ -2,6 +2,6 @@
 #include <splinertia/errors/error_model.hpp>
 using namespace splinertia;
 struct Bad {
-  void apply(Sample<double>& sample, auto&) const { sample.value.setZero(); }
+  void apply(SensorSample<double>& sample, auto&) const { sample.value.setZero(); }
 };
 const ErrorModel model{Bad{}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
 #include <splinertia/errors/error_model.hpp>
-#include <splinertia/imu/describe.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -13,7 +13,7 @@ using testing::applied, testing::sample_with;
 TEMPLATE_TEST_CASE("A constant bias is added to the reading and to the bias in it", "", float, double) {
   using Vector = Vector3<TestType>;
   const ConstantBias term{PerAxis<TestType>(1, -2, TestType(0.5))};
-  STATIC_CHECK(std::is_same_v<decltype(term), const ConstantBias<TestType>>);
+  STATIC_CHECK(std::is_same_v<decltype(term), const ConstantBias<TestType, 3>>);
   for (const TestType& elapsed : {TestType(0), TestType(1), TestType(1000)}) {
     const auto sample = applied(term, sample_with<TestType>(Vector(1, 2, 3), Vector(4, 5, 6), elapsed));
     CHECK(sample.value == Vector(2, 0, TestType(3.5)));
@@ -28,7 +28,7 @@ TEST_CASE("A bias is given as a number, whole or not, one for each axis, or a ve
   STATIC_CHECK(std::is_same_v<decltype(ConstantBias{0.1}), ConstantBias<double>>);
   STATIC_CHECK(std::is_same_v<decltype(ConstantBias{0.1F}), ConstantBias<float>>);
   STATIC_CHECK(std::is_same_v<decltype(ConstantBias{0.1L}), ConstantBias<long double>>);
-  STATIC_CHECK(std::is_same_v<decltype(ConstantBias{PerAxis<float>(1, 2, 3)}), ConstantBias<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(ConstantBias{PerAxis<float>(1, 2, 3)}), ConstantBias<float, 3>>);
   CHECK(ConstantBias{Eigen::Vector3d(1, 2, 3)}.bias[1] == 2);
   CHECK(ConstantBias{Eigen::RowVector3f(1, 2, 3)}.bias[2] == 3.0F);
   CHECK(ConstantBias{2 * Eigen::Vector3d::UnitX()}.bias[0] == 2);

@@ -12,7 +12,7 @@ using namespace splinertia::testing;
 TEMPLATE_TEST_CASE("The bias of a million runs is normal with the given standard deviation", "", float, double) {
   using Scalar = TestType;
   const double deviation[] = {0.3, 2, 1e-3};
-  const ErrorModel model{TurnOnBias<Scalar>(per_axis<Scalar>(deviation))};
+  const ErrorModel model{TurnOnBias(per_axis<Scalar>(deviation))};
   std::array<std::vector<double>, 3> numbers;
   for (std::uint64_t seed = 0; seed < million; ++seed) {
     const Record errors = record<Scalar>(model, regular(200, 1), seed);
@@ -47,7 +47,7 @@ TEST_CASE("The bias is the same throughout a run, and at any rate") {
 TEST_CASE("A deviation is given as a number, one for each axis, or a vector") {
   STATIC_CHECK(std::is_same_v<decltype(TurnOnBias{0.1F}), TurnOnBias<float>>);
   STATIC_CHECK(std::is_same_v<decltype(TurnOnBias{1}), TurnOnBias<double>>);
-  STATIC_CHECK(std::is_same_v<decltype(TurnOnBias{PerAxis<float>(1, 2, 3)}), TurnOnBias<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(TurnOnBias{PerAxis<float>(1, 2, 3)}), TurnOnBias<float, 3>>);
   CHECK(TurnOnBias{Eigen::Vector3d(1, 2, 3)}.standard_deviation[1] == 2);
 }
 

@@ -40,8 +40,8 @@ struct Process {
   }
 };
 
-template <typename Scalar, std::size_t Stages>
-std::vector<Process> processes(const BiasInstability<Scalar, Stages>& term, double coefficient = 1) {
+template <typename Scalar, std::size_t Stages, int N>
+std::vector<Process> processes(const BiasInstability<Scalar, Stages, N>& term, double coefficient = 1) {
   std::vector<Process> result;
   for (const auto& [tau, deviation, step] : term.stages(Scalar(0.005)))
     result.push_back({std::pow(coefficient * static_cast<double>(deviation), 2), static_cast<double>(tau)});
@@ -113,7 +113,7 @@ TEST_CASE("The spectral density is B²/(2 pi f) in the band") {
 TEMPLATE_TEST_CASE("Records have that Allan variance, whatever the rate", "", float, double) {
   using Scalar = TestType;
   const double coefficient[] = {1e-3, 0.5, 7};
-  const BiasInstability<Scalar> term(per_axis<Scalar>(coefficient));
+  const BiasInstability term(per_axis<Scalar>(coefficient));
   for (const double rate : rates) {
     // A million samples of three axes together.
     const Record errors = record<Scalar>(ErrorModel{term}, regular(rate, million / 3 + 1), 15);
@@ -209,7 +209,7 @@ TEST_CASE(
     "A coefficient is given as a number, one for each axis, or a vector; a band and a number of stages if wanted") {
   STATIC_CHECK(std::is_same_v<decltype(BiasInstability{0.1F}), BiasInstability<float>>);
   STATIC_CHECK(std::is_same_v<decltype(BiasInstability{1}), BiasInstability<double, 7>>);
-  STATIC_CHECK(std::is_same_v<decltype(BiasInstability{PerAxis<float>(1, 2, 3)}), BiasInstability<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(BiasInstability{PerAxis<float>(1, 2, 3)}), BiasInstability<float, 7, 3>>);
   CHECK(BiasInstability{Eigen::Vector3d(1, 2, 3)}.coefficient[2] == 3);
   CHECK(BiasInstability{1, FlickerBand<>{0.1, 100}}.band.longest == 100);
   CHECK(BiasInstability<double, 12>(1).stages(0.01).size() == 12);

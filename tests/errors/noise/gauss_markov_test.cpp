@@ -27,7 +27,7 @@ std::vector<double> innovations(const std::vector<double>& x, const Intervals& i
 TEMPLATE_TEST_CASE("The autocovariance is that of a Gauss-Markov process, whatever the rate", "", float, double) {
   using Scalar = TestType;
   const double sigma[] = {0.3, 2, 5}, tau[] = {0.05, 0.5, 3};
-  const ErrorModel model{GaussMarkov<Scalar>(per_axis<Scalar>(sigma), per_axis<Scalar>(tau))};
+  const ErrorModel model{GaussMarkov(per_axis<Scalar>(sigma), per_axis<Scalar>(tau))};
   for (const double rate : rates) {
     const Record errors = record<Scalar>(model, regular(rate), 10);
     CHECK(errors.all_bias);
@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("The autocovariance is that of a Gauss-Markov process, whatev
 TEMPLATE_TEST_CASE("Steps of any size and regularity are those of a Gauss-Markov process", "", float, double) {
   using Scalar = TestType;
   const double sigma[] = {0.3, 2, 5}, tau[] = {0.004, 0.5, 300};
-  const ErrorModel model{GaussMarkov<Scalar>(per_axis<Scalar>(sigma), per_axis<Scalar>(tau))};
+  const ErrorModel model{GaussMarkov(per_axis<Scalar>(sigma), per_axis<Scalar>(tau))};
   const Intervals intervals = irregular(200);
   const Record errors = record<Scalar>(model, intervals, 11);
   std::array<std::vector<double>, 3> numbers;
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("From a given value it forgets it, and reaches the stationary
   // Over runs, 0.3 s after x0 the mean is x0 e^{−0.3/τ} and the variance σ²(1 − e^{−0.6/τ}), at any rate.
   for (const double rate : {50.0, 1000.0}) {
     const double initial[] = {7, 0, -1};
-    const GaussMarkov<Scalar> term(Scalar(2), Scalar(0.5), per_axis<Scalar>(initial));
+    const GaussMarkov term(Scalar(2), Scalar(0.5), per_axis<Scalar>(initial));
     const auto last = static_cast<std::size_t>(std::lround(0.3 * rate));
     constexpr std::size_t runs = 2000;
     std::array<std::vector<double>, 3> z;
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("A correlation time far above or below the interval is right,
   using Scalar = TestType;
   // h/τ = 1e9: white noise. h/τ = 1e-9: it stays where it was but for steps of deviation √2e-9 σ.
   const ErrorModel model{
-      GaussMarkov<Scalar>(Scalar(3), PerAxis<Scalar>(Scalar(0.005e-9), Scalar(0.005e9), Scalar(0.005)))};
+      GaussMarkov(Scalar(3), PerAxis<Scalar>(Scalar(0.005e-9), Scalar(0.005e9), Scalar(0.005)))};
   const Intervals intervals = regular(200);
   const Record errors = record<Scalar>(model, intervals, 12);
   const auto C = [](std::size_t l) { return l == 0 ? 9.0 : 0.0; };
@@ -147,7 +147,7 @@ TEST_CASE("No deviation is no error") {
 TEST_CASE("Parameters of a Gauss-Markov process are given as numbers, one for each axis, or vectors") {
   STATIC_CHECK(std::is_same_v<decltype(GaussMarkov{0.1F, 2.0F}), GaussMarkov<float>>);
   STATIC_CHECK(std::is_same_v<decltype(GaussMarkov{1, 2}), GaussMarkov<double>>);
-  STATIC_CHECK(std::is_same_v<decltype(GaussMarkov{PerAxis<float>(1, 2, 3), 2.0F}), GaussMarkov<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(GaussMarkov{PerAxis<float>(1, 2, 3), 2.0F}), GaussMarkov<float, 3>>);
   const GaussMarkov term{Eigen::Vector3d(1, 2, 3), 100, 0.5};
   CHECK(term.standard_deviation[1] == 2);
   CHECK(term.correlation_time[2] == 100);

@@ -13,7 +13,7 @@ TEMPLATE_TEST_CASE("Samples of quantization noise have variance 2Q²/dt² and Al
                    double) {
   using Scalar = TestType;
   const double Q[] = {1e-4, 2, 0.3};
-  const ErrorModel model{QuantizationNoise<Scalar>(per_axis<Scalar>(Q))};
+  const ErrorModel model{QuantizationNoise(per_axis<Scalar>(Q))};
   for (const double rate : rates) {
     const Record errors = record<Scalar>(model, regular(rate), 13);
     CHECK(errors.no_bias);
@@ -70,7 +70,7 @@ TEST_CASE("The first sample is as noisy as all others") {
 TEST_CASE("A coefficient is given as a number, one for each axis, or a vector") {
   STATIC_CHECK(std::is_same_v<decltype(QuantizationNoise{0.1F}), QuantizationNoise<float>>);
   STATIC_CHECK(std::is_same_v<decltype(QuantizationNoise{1}), QuantizationNoise<double>>);
-  STATIC_CHECK(std::is_same_v<decltype(QuantizationNoise{PerAxis<float>(1, 2, 3)}), QuantizationNoise<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(QuantizationNoise{PerAxis<float>(1, 2, 3)}), QuantizationNoise<float, 3>>);
   CHECK(QuantizationNoise{Eigen::Vector3d(1, 2, 3)}.coefficient[2] == 3);
 }
 

@@ -33,8 +33,8 @@ auto covariance(std::size_t axis) {
 }
 
 template <typename Scalar>
-ErrorModel<RandomVibration<Scalar>> model() {
-  return {RandomVibration<Scalar>(per_axis<Scalar>(sigma), per_axis<Scalar>(frequency), per_axis<Scalar>(zeta))};
+ErrorModel<RandomVibration<Scalar, 3>> model() {
+  return {RandomVibration(per_axis<Scalar>(sigma), per_axis<Scalar>(frequency), per_axis<Scalar>(zeta))};
 }
 
 constexpr double forgotten = 8;  // s, after which the slowest of the three has correlation e⁻²⁰
@@ -64,12 +64,7 @@ struct Matrices {
               {column == 3 ? 1.0 : 0.0},
               Eigen::Vector3d::Constant(column == 0 ? 1 : 0),
               Eigen::Vector3d::Constant(column == 1 ? 1 : 0)};
-      Sample<double> sample{Eigen::Vector3d::Zero(),
-                            Eigen::Vector3d::Zero(),
-                            1,
-                            false,
-                            1,
-                            {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()}};
+      SensorSample<double> sample{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1, false, 1};
       term.apply(sample, state);
       (column < 2 ? transition : noise).col(column % 2) << state.value[0], state.rate[0];
     }

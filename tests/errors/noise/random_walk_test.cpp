@@ -24,7 +24,7 @@ std::vector<double> moves(const std::vector<double>& x, const std::vector<double
 TEMPLATE_TEST_CASE("The bias moves by K times root T in a time T, whatever the rate", "", float, double) {
   using Scalar = TestType;
   const double density[] = {0.25, 3e-5, 1};
-  const ErrorModel model{RandomWalk<Scalar>(per_axis<Scalar>(density))};
+  const ErrorModel model{RandomWalk(per_axis<Scalar>(density))};
   for (const double rate : {50.0, 200.0, 1000.0, 0.0}) {
     const Intervals intervals = rate > 0 ? regular(rate) : irregular(200);
     const std::vector<double> t = times(intervals);
@@ -69,7 +69,7 @@ TEST_CASE("The Allan deviation is K times root of tau/3") {
 TEST_CASE("A density is given as a number, one for each axis, or a vector") {
   STATIC_CHECK(std::is_same_v<decltype(RandomWalk{0.1F}), RandomWalk<float>>);
   STATIC_CHECK(std::is_same_v<decltype(RandomWalk{1}), RandomWalk<double>>);
-  STATIC_CHECK(std::is_same_v<decltype(RandomWalk{PerAxis<float>(1, 2, 3)}), RandomWalk<float>>);
+  STATIC_CHECK(std::is_same_v<decltype(RandomWalk{PerAxis<float>(1, 2, 3)}), RandomWalk<float, 3>>);
   CHECK(RandomWalk{Eigen::Vector3d(1, 2, 3)}.density[2] == 3);
 }
 

@@ -12,7 +12,7 @@ using namespace splinertia::testing;
 TEMPLATE_TEST_CASE("Samples of white noise have variance N²/dt and Allan deviation N/root tau", "", float, double) {
   using Scalar = TestType;
   const double density[] = {0.015, 0, 2};
-  const ErrorModel model{WhiteNoise<Scalar>(per_axis<Scalar>(density))};
+  const ErrorModel model{WhiteNoise(per_axis<Scalar>(density))};
   for (const double rate : rates) {
     const Record errors = record<Scalar>(model, regular(rate), 5);
     CHECK(errors.no_bias);
@@ -67,7 +67,7 @@ TEST_CASE("A density is given as a number, one for each axis, or a vector") {
   STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{0.1}), WhiteNoise<double>>);
   STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{0.1F}), WhiteNoise<float>>);
   STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{2}), WhiteNoise<double>>);
-  STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{PerAxis<double>(1, 2, 3)}), WhiteNoise<double>>);
+  STATIC_CHECK(std::is_same_v<decltype(WhiteNoise{PerAxis<double>(1, 2, 3)}), WhiteNoise<double, 3>>);
   CHECK(WhiteNoise{Eigen::Vector3d(1, 2, 3)}.density[1] == 2);
   CHECK(WhiteNoise{2}.density[2] == 2);
 }

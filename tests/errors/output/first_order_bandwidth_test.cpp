@@ -7,7 +7,7 @@
 #include <splinertia/errors/bias/constant_bias.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/first_order_bandwidth.hpp>
-#include <splinertia/imu/describe.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/quantization.hpp>
-#include <splinertia/imu/describe.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"

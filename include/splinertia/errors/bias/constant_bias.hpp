@@ -9,25 +9,28 @@ namespace splinertia {
 
 /// A bias that is the same in every sample of every run, in the sensor's unit. See turn_on_bias.hpp for one that is
 /// drawn anew for every run.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct ConstantBias {
   static constexpr std::string_view name = "constant bias";
   struct State {};
 
-  PerAxis<Scalar> bias;
+  PerAxis<Scalar, N> bias;
 
   /// Throws std::invalid_argument unless the bias is finite.
-  constexpr ConstantBias(const PerAxis<Scalar>& bias_) : bias(bias_) { require_finite("ConstantBias", "bias", bias); }
+  constexpr ConstantBias(const PerAxis<Scalar, N>& bias_) : bias(bias_) {
+    require_finite("ConstantBias", "bias", bias);
+  }
 
-  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, State&) const {
-    sample.value += bias.vector();
-    sample.bias += bias.vector();
+  template <int Axes>
+  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+    sample.value += bias.template vector<Axes>();
+    sample.bias += bias.template vector<Axes>();
   }
 
   void describe(auto&& parameter) const { parameter("bias", bias, SensorUnit{}); }
 };
 
 template <typename P>
-ConstantBias(const P&) -> ConstantBias<ScalarOfParameter<P>>;
+ConstantBias(const P&) -> ConstantBias<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -9,18 +9,19 @@ namespace splinertia {
 
 /// A bias that grows linearly with time, from zero at the first sample: bias = R·t. R in the sensor's unit per s:
 /// rad/s² for a gyroscope, m/s³ for an accelerometer. Allan deviation R·τ/√2. IEEE Std 952-1997, C.1.4.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct RateRamp {
   static constexpr std::string_view name = "rate ramp";
   struct State {};
 
-  PerAxis<Scalar> slope;
+  PerAxis<Scalar, N> slope;
 
   /// Throws std::invalid_argument unless the slope is finite.
-  constexpr RateRamp(const PerAxis<Scalar>& slope_) : slope(slope_) { require_finite("RateRamp", "slope", slope); }
+  constexpr RateRamp(const PerAxis<Scalar, N>& slope_) : slope(slope_) { require_finite("RateRamp", "slope", slope); }
 
-  void apply(Sample<Scalar>& sample, State&) const {
-    const Vector3<Scalar> bias = slope.vector() * sample.elapsed;
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+    const AxisVector<Scalar, Axes> bias = slope.template vector<Axes>() * sample.elapsed;
     sample.value += bias;
     sample.bias += bias;
   }
@@ -29,6 +30,6 @@ struct RateRamp {
 };
 
 template <typename P>
-RateRamp(const P&) -> RateRamp<ScalarOfParameter<P>>;
+RateRamp(const P&) -> RateRamp<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -10,25 +10,27 @@ namespace splinertia {
 
 /// A bias proportional to the deviation from a reference temperature: coefficient·(T(t) − reference). Coefficient in
 /// the sensor's unit per K, temperatures in °C. For T(t) see temperature.hpp.
-template <typename Scalar, TemperatureProfile<Scalar> Profile>
+template <typename Scalar, TemperatureProfile<Scalar> Profile, int N = 1>
 struct TemperatureBias {
   static constexpr std::string_view name = "temperature bias";
   struct State {};
 
-  PerAxis<Scalar> coefficient;
+  PerAxis<Scalar, N> coefficient;
   Profile temperature;
   Scalar reference;
 
   /// Throws std::invalid_argument unless coefficient, reference and their third powers are finite.
-  constexpr TemperatureBias(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
+  constexpr TemperatureBias(const PerAxis<Scalar, N>& coefficient_, const Profile& temperature_,
                             const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
     require_factor("TemperatureBias", "coefficient", coefficient);
     require_factor("TemperatureBias", "reference temperature", reference);
   }
 
-  void apply(Sample<Scalar>& sample, State&) const {
-    const Vector3<Scalar> bias = coefficient.vector() * (Scalar(temperature(sample.elapsed)) - reference);
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+    const AxisVector<Scalar, Axes> bias =
+        coefficient.template vector<Axes>() * (Scalar(temperature(sample.elapsed)) - reference);
     sample.value += bias;
     sample.bias += bias;
   }
@@ -41,6 +43,7 @@ struct TemperatureBias {
 };
 
 template <typename P, typename Profile, typename... More>
-TemperatureBias(const P&, const Profile&, const More&...) -> TemperatureBias<ScalarOfParameter<P>, Profile>;
+TemperatureBias(const P&, const Profile&,
+                const More&...) -> TemperatureBias<ScalarOfParameter<P>, Profile, values_in_parameter<P>>;
 
 }  // namespace splinertia

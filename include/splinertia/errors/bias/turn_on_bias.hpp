@@ -9,24 +9,25 @@ namespace splinertia {
 
 /// A bias that is drawn once for each run and then stays constant: normal, with the given standard deviation, in the
 /// sensor's unit. Data sheets call it turn-on bias or bias repeatability.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct TurnOnBias {
   static constexpr std::string_view name = "turn-on bias";
   template <typename Normals>
   struct State {
     explicit State(StreamKey term) : normal(Normals(term).template draw<Scalar>()) {}
-    Vector3<Scalar> normal;
+    AxisVector<Scalar, Normals::axes> normal;
   };
 
-  PerAxis<Scalar> standard_deviation;
+  PerAxis<Scalar, N> standard_deviation;
 
   /// Throws std::invalid_argument unless the deviation is finite and >= 0.
-  constexpr TurnOnBias(const PerAxis<Scalar>& standard_deviation_) : standard_deviation(standard_deviation_) {
+  constexpr TurnOnBias(const PerAxis<Scalar, N>& standard_deviation_) : standard_deviation(standard_deviation_) {
     require_non_negative("TurnOnBias", "standard deviation", standard_deviation);
   }
 
-  void apply(Sample<Scalar>& sample, auto& state) const {
-    const Vector3<Scalar> bias = standard_deviation.vector().cwiseProduct(state.normal);
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
+    const AxisVector<Scalar, Axes> bias = standard_deviation.template vector<Axes>().cwiseProduct(state.normal);
     sample.value += bias;
     sample.bias += bias;
   }
@@ -35,6 +36,6 @@ struct TurnOnBias {
 };
 
 template <typename P>
-TurnOnBias(const P&) -> TurnOnBias<ScalarOfParameter<P>>;
+TurnOnBias(const P&) -> TurnOnBias<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

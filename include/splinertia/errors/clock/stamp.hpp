@@ -8,10 +8,12 @@
 
 namespace splinertia {
 
-/// The time stamp of a sample as it passes through the error terms of a clock, as Sample does for a sensor. The terms
-/// turn the time at which the sample was taken into the time that the host records.
+/// The time stamp of a sample as it passes through the error terms of a clock, as SensorSample does for a sensor. The
+/// terms turn the time at which the sample was taken into the time that the host records.
 template <typename Scalar>
 struct Stamp {
+  static constexpr int axes = 1;  ///< the terms of a clock draw one number at a time
+
   Scalar offset;    ///< stamp minus true time so far, s
   bool dropped;     ///< whether the sample has been lost
   Scalar interval;  ///< true time since the previous sample, s; the sampling interval for the first

@@ -39,7 +39,7 @@ FlickerBand(P, Q) -> FlickerBand<ScalarOfParameter<P>>;
 /// The discretisation is exact and the process starts in its stationary distribution, so that it does not depend on the
 /// sampling rate. The sampling interval should not be longer than the shortest averaging time. Sums of relaxations for
 /// 1/f noise: van der Ziel, Physica 16 (1950). The Gauss–Markov step is that of gauss_markov.hpp.
-template <typename Scalar = double, std::size_t Stages = 7>
+template <typename Scalar = double, std::size_t Stages = 7, int N = 1>
 struct BiasInstability {
   static_assert(Stages >= 2);
   static constexpr std::string_view name = "bias instability";
@@ -56,18 +56,18 @@ struct BiasInstability {
         : normals([&]<std::size_t... Index>(std::index_sequence<Index...>) {
             return std::array<Normals, Stages>{Normals(term / Index)...};
           }(std::make_index_sequence<Stages>{})) {
-      values.fill(Vector3<Scalar>::Zero());
+      values.fill(AxisVector<Scalar, Normals::axes>::Zero());
     }
     std::array<Normals, Stages> normals;
-    std::array<Vector3<Scalar>, Stages> values;  // over B
+    std::array<AxisVector<Scalar, Normals::axes>, Stages> values;  // over B
     ForInterval<Scalar, std::array<Stage, Stages>> stages{};
   };
 
-  PerAxis<Scalar> coefficient;
+  PerAxis<Scalar, N> coefficient;
   FlickerBand<Scalar> band;
 
   /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞ with a finite ratio.
-  constexpr BiasInstability(const PerAxis<Scalar>& coefficient_, const FlickerBand<Scalar>& band_ = {})
+  constexpr BiasInstability(const PerAxis<Scalar, N>& coefficient_, const FlickerBand<Scalar>& band_ = {})
       : coefficient(coefficient_), band(band_) {
     require_non_negative("BiasInstability", "coefficient B", coefficient);
     require_positive("BiasInstability", "shortest averaging time", band.shortest);
@@ -95,12 +95,13 @@ struct BiasInstability {
     return result;
   }
 
-  void apply(Sample<Scalar>& sample, auto& state) const {
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
     const auto& stages_now = state.stages(sample.interval, [&] { return stages(sample.interval); });
-    Vector3<Scalar> sum = Vector3<Scalar>::Zero();
+    AxisVector<Scalar, Axes> sum = AxisVector<Scalar, Axes>::Zero();
     for (std::size_t i = 0; i < Stages; ++i) {
       const auto& [correlation_time, deviation, step] = stages_now[i];
-      const Vector3<Scalar> fresh = deviation * state.normals[i].template draw<Scalar>();
+      const AxisVector<Scalar, Axes> fresh = deviation * state.normals[i].template draw<Scalar>();
       if (sample.first) {
         state.values[i] = fresh;
       } else {
@@ -108,7 +109,7 @@ struct BiasInstability {
       }
       sum += state.values[i];
     }
-    const Vector3<Scalar> bias = coefficient.vector().cwiseProduct(sum);
+    const AxisVector<Scalar, Axes> bias = coefficient.template vector<Axes>().cwiseProduct(sum);
     sample.value += bias;
     sample.bias += bias;
   }
@@ -122,6 +123,6 @@ struct BiasInstability {
 };
 
 template <typename P, typename... More>
-BiasInstability(const P&, const More&...) -> BiasInstability<ScalarOfParameter<P>>;
+BiasInstability(const P&, const More&...) -> BiasInstability<ScalarOfParameter<P>, 7, values_in_parameter<P>>;
 
 }  // namespace splinertia

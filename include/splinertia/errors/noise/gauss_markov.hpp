@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -32,43 +30,45 @@ struct GaussMarkovStep {
 /// A bias that wanders about zero: a first-order Gauss–Markov process with the given stationary standard deviation σ
 /// (in the sensor's unit) and correlation time τ (s). Autocovariance σ² exp(−|t|/τ). The discretisation is exact, so
 /// that the statistics do not depend on the sampling rate. It starts in its stationary distribution, or at `initial`.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct GaussMarkov {
   static constexpr std::string_view name = "Gauss-Markov";
 
   /// x ← x − forget·x + deviation·n, for each axis.
+  template <int Axes>
   struct Step {
-    Vector3<Scalar> forget, deviation;
+    AxisVector<Scalar, Axes> forget, deviation;
   };
   template <typename Normals>
   struct State {
     explicit State(StreamKey term) : normals(term) {}
     Normals normals;
-    Vector3<Scalar> bias = Vector3<Scalar>::Zero();
-    ForInterval<Scalar, Step> step{};
+    AxisVector<Scalar, Normals::axes> bias = AxisVector<Scalar, Normals::axes>::Zero();
+    ForInterval<Scalar, Step<Normals::axes>> step{};
   };
 
-  PerAxis<Scalar> standard_deviation;
-  PerAxis<Scalar> correlation_time;
-  std::optional<PerAxis<Scalar>> initial;  ///< the bias in the first sample
+  PerAxis<Scalar, N> standard_deviation;
+  PerAxis<Scalar, N> correlation_time;
+  std::optional<PerAxis<Scalar, N>> initial;  ///< the bias in the first sample
 
   /// Throws std::invalid_argument unless the deviation is finite and >= 0, the correlation time finite and > 0, and the
   /// initial value finite.
-  constexpr GaussMarkov(const PerAxis<Scalar>& standard_deviation_, const PerAxis<Scalar>& correlation_time_,
-                        const std::optional<PerAxis<Scalar>>& initial_ = std::nullopt)
+  constexpr GaussMarkov(const PerAxis<Scalar, N>& standard_deviation_, const PerAxis<Scalar, N>& correlation_time_,
+                        const std::optional<PerAxis<Scalar, N>>& initial_ = std::nullopt)
       : standard_deviation(standard_deviation_), correlation_time(correlation_time_), initial(initial_) {
     require_non_negative("GaussMarkov", "standard deviation", standard_deviation);
     require_positive("GaussMarkov", "correlation time", correlation_time);
     if (initial) require_finite("GaussMarkov", "initial value", *initial);
   }
 
-  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& state) const {
+  template <int Axes>
+  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
     if (sample.first && initial) [[unlikely]] {
-      state.bias = initial->vector();
+      state.bias = initial->template vector<Axes>();
     } else {
       const Scalar interval = sample.first ? Scalar(0) : sample.interval;
-      const Step& step = state.step(interval, [this, interval] { return make_step(interval); });
-      const Vector3<Scalar> n = state.normals.template draw<Scalar>();
+      const Step<Axes>& step = state.step(interval, [this, interval] { return make_step<Axes>(interval); });
+      const AxisVector<Scalar, Axes> n = state.normals.template draw<Scalar>();
       state.bias += step.deviation.cwiseProduct(n) - step.forget.cwiseProduct(state.bias);
     }
     sample.value += state.bias;
@@ -82,21 +82,23 @@ struct GaussMarkov {
   }
 
  private:
-  [[nodiscard, gnu::noinline, gnu::cold]] Step make_step(Scalar interval) const {
-    if (interval == Scalar(0))
-      return {Vector3<Scalar>::Zero(), standard_deviation.vector()};  // from zero to the stationary distribution
-    Step result;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<int>(axis);
-      const GaussMarkovStep<Scalar> unit(interval / correlation_time[axis]);
-      result.forget[i] = unit.forget;
-      result.deviation[i] = standard_deviation[axis] * unit.deviation;
+  template <int Axes>
+  [[nodiscard, gnu::noinline, gnu::cold]] Step<Axes> make_step(Scalar interval) const {
+    const AxisVector<Scalar, Axes> deviation = standard_deviation.template vector<Axes>(),
+                                   time = correlation_time.template vector<Axes>();
+    // From zero to the stationary distribution.
+    if (interval == Scalar(0)) return {AxisVector<Scalar, Axes>::Zero(), deviation};
+    Step<Axes> result;
+    for (int axis = 0; axis < Axes; ++axis) {
+      const GaussMarkovStep<Scalar> unit(interval / time[axis]);
+      result.forget[axis] = unit.forget;
+      result.deviation[axis] = deviation[axis] * unit.deviation;
     }
     return result;
   }
 };
 
 template <typename P, typename... More>
-GaussMarkov(const P&, const More&...) -> GaussMarkov<ScalarOfParameter<P>>;
+GaussMarkov(const P&, const More&...) -> GaussMarkov<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

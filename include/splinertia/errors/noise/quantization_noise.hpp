@@ -13,26 +13,27 @@ namespace splinertia {
 /// Allan deviation √3·Q/τ. IEEE Std 952-1997, C.1.5. Q in the sensor's unit times s: rad for a gyroscope, m/s for an
 /// accelerometer. A sensor that counts increments of size Δ has Q = Δ/√12. See quantization.hpp for rounding of the
 /// reading itself.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct QuantizationNoise {
   static constexpr std::string_view name = "quantization noise";
   template <typename Normals>
   struct State {
     explicit State(StreamKey term) : normals(term), previous(normals.template draw<Scalar>()) {}
     Normals normals;
-    Vector3<Scalar> previous;
+    AxisVector<Scalar, Normals::axes> previous;
   };
 
-  PerAxis<Scalar> coefficient;
+  PerAxis<Scalar, N> coefficient;
 
   /// Throws std::invalid_argument unless Q is finite and >= 0.
-  constexpr QuantizationNoise(const PerAxis<Scalar>& coefficient_) : coefficient(coefficient_) {
+  constexpr QuantizationNoise(const PerAxis<Scalar, N>& coefficient_) : coefficient(coefficient_) {
     require_non_negative("QuantizationNoise", "coefficient Q", coefficient);
   }
 
-  void apply(Sample<Scalar>& sample, auto& state) const {
-    const Vector3<Scalar> n = state.normals.template draw<Scalar>();
-    sample.value += coefficient.vector().cwiseProduct(n - state.previous) / sample.interval;
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
+    const AxisVector<Scalar, Axes> n = state.normals.template draw<Scalar>();
+    sample.value += coefficient.template vector<Axes>().cwiseProduct(n - state.previous) / sample.interval;
     state.previous = n;
   }
 
@@ -40,6 +41,6 @@ struct QuantizationNoise {
 };
 
 template <typename P>
-QuantizationNoise(const P&) -> QuantizationNoise<ScalarOfParameter<P>>;
+QuantizationNoise(const P&) -> QuantizationNoise<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/errors/detail/second_order_response.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -19,7 +19,7 @@ namespace splinertia {
 /// near 1). Autocovariance σ² e^{−ζω|t|}(cos b + ζω|t| sin b/b), b = ω|t|√(1 − ζ²). The discretisation is exact, so
 /// that it does not depend on the sampling rate. It starts in its stationary distribution and does not count as bias.
 /// Crandall, Mark, Random Vibration in Mechanical Systems (1963), 2.3.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct RandomVibration {
   static constexpr std::string_view name = "random vibration";
 
@@ -35,18 +35,19 @@ struct RandomVibration {
   struct State {
     explicit State(StreamKey term) : for_value(term / "value"), for_rate(term / "rate") {}
     Normals for_value, for_rate;
-    Vector3<Wide> value = Vector3<Wide>::Zero(), rate = Vector3<Wide>::Zero();
-    ForInterval<Scalar, std::array<Step, 3>> steps{};
+    AxisVector<Wide, Normals::axes> value = AxisVector<Wide, Normals::axes>::Zero();
+    AxisVector<Wide, Normals::axes> rate = AxisVector<Wide, Normals::axes>::Zero();
+    ForInterval<Scalar, FixedArray<Step, Normals::axes>> steps{};
   };
 
-  PerAxis<Scalar> standard_deviation;
-  PerAxis<Scalar> natural_frequency;
-  PerAxis<Scalar> damping_ratio;
+  PerAxis<Scalar, N> standard_deviation;
+  PerAxis<Scalar, N> natural_frequency;
+  PerAxis<Scalar, N> damping_ratio;
 
   /// Throws std::invalid_argument unless the deviation is finite and >= 0, the others are finite and > 0, and the
   /// third power of the damping ratio is finite.
-  constexpr RandomVibration(const PerAxis<Scalar>& standard_deviation_, const PerAxis<Scalar>& natural_frequency_,
-                            const PerAxis<Scalar>& damping_ratio_)
+  constexpr RandomVibration(const PerAxis<Scalar, N>& standard_deviation_, const PerAxis<Scalar, N>& natural_frequency_,
+                            const PerAxis<Scalar, N>& damping_ratio_)
       : standard_deviation(standard_deviation_), natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
     require_non_negative("RandomVibration", "standard deviation", standard_deviation);
     require_positive("RandomVibration", "natural frequency", natural_frequency);
@@ -54,22 +55,22 @@ struct RandomVibration {
     require_factor("RandomVibration", "damping ratio", damping_ratio);
   }
 
-  void apply(Sample<Scalar>& sample, auto& state) const {
-    const Vector3<Wide> n = state.for_value.template draw<Wide>(), m = state.for_rate.template draw<Wide>();
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
+    const AxisVector<Wide, Axes> n = state.for_value.template draw<Wide>(), m = state.for_rate.template draw<Wide>();
     if (sample.first) {
       state.value = n;
       state.rate = m;
     } else {
-      const auto& steps = state.steps(sample.interval, [&] { return make_steps(sample.interval); });
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<int>(axis);
-        const auto& [transition, noise] = steps[axis];
+      const auto& steps = state.steps(sample.interval, [&] { return make_steps<Axes>(sample.interval); });
+      for (int i = 0; i < Axes; ++i) {
+        const auto& [transition, noise] = steps[static_cast<std::size_t>(i)];
         const Wide value = state.value[i], rate = state.rate[i];
         state.value[i] = transition(0, 0) * value + transition(0, 1) * rate + noise(0, 0) * n[i] + noise(0, 1) * m[i];
         state.rate[i] = transition(1, 0) * value + transition(1, 1) * rate + noise(1, 1) * m[i];
       }
     }
-    sample.value += standard_deviation.vector().cwiseProduct(state.value.template cast<Scalar>());
+    sample.value += standard_deviation.template vector<Axes>().cwiseProduct(state.value.template cast<Scalar>());
   }
 
   void describe(auto&& parameter) const {
@@ -82,10 +83,11 @@ struct RandomVibration {
   // The noise that keeps the covariance at the identity: Q = I − ΦΦᵀ = U·Uᵀ with U upper triangular. For small steps
   // a = ωh the first diagonal element is O(a³); below a = 1e-5 it is lost in rounding. It is limited to >= 0; the error
   // is an additional noise of at most √eps of the standard deviation per step.
-  [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
+  template <int Axes>
+  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
     using std::sqrt;
-    std::array<Step, 3> steps;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    FixedArray<Step, Axes> steps;
+    for (std::size_t axis = 0; axis < steps.size(); ++axis) {
       const Wide a = Wide(2) * pi_of<Wide>() * Wide(natural_frequency[axis]) * Wide(interval);
       auto& [transition, noise] = steps[axis];
       transition = oscillator_transition<Wide>(a, Wide(damping_ratio[axis]));
@@ -103,6 +105,6 @@ struct RandomVibration {
 };
 
 template <typename P, typename... More>
-RandomVibration(const P&, const More&...) -> RandomVibration<ScalarOfParameter<P>>;
+RandomVibration(const P&, const More&...) -> RandomVibration<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

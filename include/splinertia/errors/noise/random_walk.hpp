@@ -11,27 +11,28 @@ namespace splinertia {
 /// A bias that is a random walk (rate random walk) of density K. It is zero at the first sample; before every other
 /// sample it changes by K·√interval · n, n standard normal. The bias reported with a sample is the one contained in it.
 /// K in unit/s/√Hz: rad/s²/√Hz for a gyroscope, m/s³/√Hz for an accelerometer. IEEE Std 952-1997, C.1.3.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct RandomWalk {
   static constexpr std::string_view name = "random walk";
   template <typename Normals>
   struct State {
     explicit State(StreamKey term) : normals(term) {}
     Normals normals;
-    Vector3<Scalar> bias = Vector3<Scalar>::Zero();
+    AxisVector<Scalar, Normals::axes> bias = AxisVector<Scalar, Normals::axes>::Zero();
   };
 
-  PerAxis<Scalar> density;
+  PerAxis<Scalar, N> density;
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
-  constexpr RandomWalk(const PerAxis<Scalar>& density_) : density(density_) {
+  constexpr RandomWalk(const PerAxis<Scalar, N>& density_) : density(density_) {
     require_non_negative("RandomWalk", "density", density);
   }
 
-  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& state) const {
+  template <int Axes>
+  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
     if (!sample.first) {
-      state.bias +=
-          (density.vector() * square_root(sample.interval)).cwiseProduct(state.normals.template draw<Scalar>());
+      state.bias += (density.template vector<Axes>() * square_root(sample.interval))
+                        .cwiseProduct(state.normals.template draw<Scalar>());
     }
     sample.value += state.bias;
     sample.bias += state.bias;
@@ -41,6 +42,6 @@ struct RandomWalk {
 };
 
 template <typename P>
-RandomWalk(const P&) -> RandomWalk<ScalarOfParameter<P>>;
+RandomWalk(const P&) -> RandomWalk<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -10,28 +10,29 @@ namespace splinertia {
 
 /// White noise (angle or velocity random walk) of density N: adds N/√interval · n, n standard normal, to every sample.
 /// N in unit/√Hz: rad/s/√Hz for a gyroscope, m/s²/√Hz for an accelerometer. IEEE Std 952-1997, C.1.1.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct WhiteNoise {
   static constexpr std::string_view name = "white noise";
   template <typename Normals>
   using State = Normals;
 
-  PerAxis<Scalar> density;
+  PerAxis<Scalar, N> density;
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
-  constexpr WhiteNoise(const PerAxis<Scalar>& density_) : density(density_) {
+  constexpr WhiteNoise(const PerAxis<Scalar, N>& density_) : density(density_) {
     require_non_negative("WhiteNoise", "density", density);
   }
 
-  [[gnu::always_inline]] void apply(Sample<Scalar>& sample, auto& normals) const {
+  template <int Axes>
+  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, auto& normals) const {
     const Scalar per_root_second = Scalar(1) / square_root(sample.interval);
-    sample.value += (density.vector() * per_root_second).cwiseProduct(normals.template draw<Scalar>());
+    sample.value += (density.template vector<Axes>() * per_root_second).cwiseProduct(normals.template draw<Scalar>());
   }
 
   void describe(auto&& parameter) const { parameter("density", density, SensorUnit{0, true}); }
 };
 
 template <typename P>
-WhiteNoise(const P&) -> WhiteNoise<ScalarOfParameter<P>>;
+WhiteNoise(const P&) -> WhiteNoise<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

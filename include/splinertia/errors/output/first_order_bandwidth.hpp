@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <splinertia/random/detail/reproducible_math.hpp>
@@ -15,7 +15,7 @@ namespace splinertia {
 /// frequency in Hz. It filters the reading with all terms before it in the model, the bias included. The discretisation
 /// is exact for an input that is linear between samples (ramp invariant): slow motion is delayed by the true τ at any
 /// sampling rate. It starts settled. Franklin, Powell, Workman, Digital Control of Dynamic Systems (1998), 6.3.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct FirstOrderBandwidth {
   static constexpr std::string_view name = "first-order bandwidth";
 
@@ -23,28 +23,29 @@ struct FirstOrderBandwidth {
   struct Step {
     Scalar forget = Scalar(1), ramp = Scalar(0);
   };
+  template <int Axes>
   struct State {
-    Vector3<Scalar> input, input_bias;
-    Vector3<Scalar> value, bias;
-    ForInterval<Scalar, std::array<Step, 3>> steps{};
+    AxisVector<Scalar, Axes> input, input_bias;
+    AxisVector<Scalar, Axes> value, bias;
+    ForInterval<Scalar, FixedArray<Step, Axes>> steps{};
   };
 
-  PerAxis<Scalar> cutoff;
+  PerAxis<Scalar, N> cutoff;
 
   /// Throws std::invalid_argument unless the cutoff is finite and > 0.
-  constexpr FirstOrderBandwidth(const PerAxis<Scalar>& cutoff_) : cutoff(cutoff_) {
+  constexpr FirstOrderBandwidth(const PerAxis<Scalar, N>& cutoff_) : cutoff(cutoff_) {
     require_positive("FirstOrderBandwidth", "cutoff frequency", cutoff);
   }
 
-  void apply(Sample<Scalar>& sample, State& state) const {
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State<Axes>& state) const {
     if (sample.first) {
       state.value = sample.value;
       state.bias = sample.bias;
     } else {
-      const auto& steps = state.steps(sample.interval, [&] { return make_steps(sample.interval); });
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<int>(axis);
-        const auto& [forget, ramp] = steps[axis];
+      const auto& steps = state.steps(sample.interval, [&] { return make_steps<Axes>(sample.interval); });
+      for (int i = 0; i < Axes; ++i) {
+        const auto& [forget, ramp] = steps[static_cast<std::size_t>(i)];
         state.value[i] += forget * (state.input[i] - state.value[i]) + ramp * (sample.value[i] - state.input[i]);
         state.bias[i] += forget * (state.input_bias[i] - state.bias[i]) + ramp * (sample.bias[i] - state.input_bias[i]);
       }
@@ -58,18 +59,21 @@ struct FirstOrderBandwidth {
   void describe(auto&& parameter) const { parameter("cutoff frequency", cutoff, "Hz"); }
 
  private:
-  [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
-    std::array<Step, 3> steps;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Scalar h = Scalar(2) * pi_of<Scalar>() * cutoff[axis] * interval;  // in units of τ
-      steps[axis].forget = exponential_rise<Scalar>(h);
-      steps[axis].ramp = h > Scalar(0) ? Scalar(Scalar(1) - steps[axis].forget / h) : Scalar(0);
+  template <int Axes>
+  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
+    const AxisVector<Scalar, Axes> cutoffs = cutoff.template vector<Axes>();
+    FixedArray<Step, Axes> steps;
+    for (int i = 0; i < Axes; ++i) {
+      auto& [forget, ramp] = steps[static_cast<std::size_t>(i)];
+      const Scalar h = Scalar(2) * pi_of<Scalar>() * cutoffs[i] * interval;  // in units of τ
+      forget = exponential_rise<Scalar>(h);
+      ramp = h > Scalar(0) ? Scalar(Scalar(1) - forget / h) : Scalar(0);
     }
     return steps;
   }
 };
 
 template <typename P>
-FirstOrderBandwidth(const P&) -> FirstOrderBandwidth<ScalarOfParameter<P>>;
+FirstOrderBandwidth(const P&) -> FirstOrderBandwidth<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

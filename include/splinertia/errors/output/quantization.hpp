@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <string_view>
@@ -11,26 +10,27 @@ namespace splinertia {
 
 /// Rounds the reading to the nearest multiple of the least significant bit (resolution), in the sensor's unit. See
 /// quantization_noise.hpp for the coefficient Q of IEEE Std 952.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct Quantization {
   static constexpr std::string_view name = "quantization";
   struct State {};
 
-  PerAxis<Scalar> least_significant_bit;
+  PerAxis<Scalar, N> least_significant_bit;
 
   /// Throws std::invalid_argument unless the bit is finite and > 0.
-  constexpr Quantization(const PerAxis<Scalar>& least_significant_bit_)
+  constexpr Quantization(const PerAxis<Scalar, N>& least_significant_bit_)
       : least_significant_bit(least_significant_bit_) {
     require_positive("Quantization", "least significant bit", least_significant_bit);
   }
 
-  void apply(Sample<Scalar>& sample, State&) const {
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State&) const {
     using std::round;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Scalar& value = sample.value[static_cast<int>(axis)];
-      const Scalar counts = round(value / least_significant_bit[axis]);
-      if (is_finite(counts))
-        value = counts * least_significant_bit[axis];  // else the bit is smaller than the rounding of the value
+    const auto bit = least_significant_bit.template view<Axes>();
+    for (int i = 0; i < Axes; ++i) {
+      Scalar& value = sample.value[i];
+      const Scalar counts = round(value / bit[i]);
+      if (is_finite(counts)) value = counts * bit[i];  // else the bit is smaller than the rounding of the value
     }
   }
 
@@ -38,6 +38,6 @@ struct Quantization {
 };
 
 template <typename P>
-Quantization(const P&) -> Quantization<ScalarOfParameter<P>>;
+Quantization(const P&) -> Quantization<ScalarOfParameter<P>, values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/errors/detail/second_order_response.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -16,7 +16,7 @@ namespace splinertia {
 /// y″ + 2ζω y′ + ω² y = ω² x with ω = 2π natural_frequency (Hz). It filters the reading with all terms before it in the
 /// model, the bias included. ζ = 1/√2 is a Butterworth filter, −3 dB at the natural frequency. The discretisation is
 /// exact for an input that is linear between samples (ramp invariant). It starts settled.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct SecondOrderBandwidth {
   static constexpr std::string_view name = "second-order bandwidth";
 
@@ -25,32 +25,35 @@ struct SecondOrderBandwidth {
     Eigen::Matrix<Scalar, 2, 2> transition;
     Eigen::Matrix<Scalar, 2, 1> ramp;
   };
+  template <int Axes>
   struct Signal {
-    Vector3<Scalar> input, output, rate;  // rate: y′/ω
+    AxisVector<Scalar, Axes> input, output, rate;  // rate: y′/ω
   };
+  template <int Axes>
   struct State {
-    Signal value, bias;
-    ForInterval<Scalar, std::array<Step, 3>> steps{};
+    Signal<Axes> value, bias;
+    ForInterval<Scalar, FixedArray<Step, Axes>> steps{};
   };
 
-  PerAxis<Scalar> natural_frequency;
-  PerAxis<Scalar> damping_ratio;
+  PerAxis<Scalar, N> natural_frequency;
+  PerAxis<Scalar, N> damping_ratio;
 
   /// Throws std::invalid_argument unless both are finite and > 0, and the third power of the damping ratio finite.
-  constexpr SecondOrderBandwidth(const PerAxis<Scalar>& natural_frequency_, const PerAxis<Scalar>& damping_ratio_)
+  constexpr SecondOrderBandwidth(const PerAxis<Scalar, N>& natural_frequency_, const PerAxis<Scalar, N>& damping_ratio_)
       : natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
     require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
     require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
     require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
   }
 
-  void apply(Sample<Scalar>& sample, State& state) const {
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State<Axes>& state) const {
     if (sample.first) {
-      state.value = {sample.value, sample.value, Vector3<Scalar>::Zero()};
-      state.bias = {sample.bias, sample.bias, Vector3<Scalar>::Zero()};
+      state.value = {sample.value, sample.value, AxisVector<Scalar, Axes>::Zero()};
+      state.bias = {sample.bias, sample.bias, AxisVector<Scalar, Axes>::Zero()};
       return;
     }
-    const auto& steps = state.steps(sample.interval, [&] { return make_steps(sample.interval); });
+    const auto& steps = state.steps(sample.interval, [&] { return make_steps<Axes>(sample.interval); });
     advance(state.value, sample.value, steps);
     advance(state.bias, sample.bias, steps);
   }
@@ -61,10 +64,10 @@ struct SecondOrderBandwidth {
   }
 
  private:
-  static void advance(Signal& signal, Vector3<Scalar>& value, const std::array<Step, 3>& steps) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<int>(axis);
-      const auto& [transition, ramp] = steps[axis];
+  template <int Axes>
+  static void advance(Signal<Axes>& signal, AxisVector<Scalar, Axes>& value, const FixedArray<Step, Axes>& steps) {
+    for (int i = 0; i < Axes; ++i) {
+      const auto& [transition, ramp] = steps[static_cast<std::size_t>(i)];
       const Scalar before = signal.input[i], change = value[i] - before;
       const Scalar off = signal.output[i] - before, rate = signal.rate[i];
       signal.output[i] = before + transition(0, 0) * off + transition(0, 1) * rate + ramp[0] * change;
@@ -74,10 +77,14 @@ struct SecondOrderBandwidth {
     value = signal.output;
   }
 
-  [[nodiscard]] std::array<Step, 3> make_steps(const Scalar& interval) const {
-    std::array<Step, 3> steps;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      steps[axis] = make_step(Scalar(2) * pi_of<Scalar>() * natural_frequency[axis] * interval, damping_ratio[axis]);
+  template <int Axes>
+  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
+    const AxisVector<Scalar, Axes> frequency = natural_frequency.template vector<Axes>(),
+                                   damping = damping_ratio.template vector<Axes>();
+    FixedArray<Step, Axes> steps;
+    for (int i = 0; i < Axes; ++i) {
+      steps[static_cast<std::size_t>(i)] = make_step(Scalar(2) * pi_of<Scalar>() * frequency[i] * interval, damping[i]);
+    }
     return steps;
   }
 
@@ -95,6 +102,7 @@ struct SecondOrderBandwidth {
 };
 
 template <typename P, typename... More>
-SecondOrderBandwidth(const P&, const More&...) -> SecondOrderBandwidth<ScalarOfParameter<P>>;
+SecondOrderBandwidth(const P&,
+                     const More&...) -> SecondOrderBandwidth<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

@@ -12,28 +12,31 @@ namespace splinertia {
 /// Vibration at one frequency: adds amplitude·sin(2π(frequency·t + phase)) to every sample, t since the first sample in
 /// s. Amplitude in the sensor's unit, frequency in Hz, phase in turns. It does not count as bias. A frequency above
 /// half the sampling rate is aliased, as in a sensor without an anti-aliasing filter.
-template <typename Scalar = double>
+template <typename Scalar = double, int N = 1>
 struct SinusoidalVibration {
   static constexpr std::string_view name = "sinusoidal vibration";
   struct State {};
 
-  PerAxis<Scalar> amplitude;
-  PerAxis<Scalar> frequency;
-  PerAxis<Scalar> phase;
+  PerAxis<Scalar, N> amplitude;
+  PerAxis<Scalar, N> frequency;
+  PerAxis<Scalar, N> phase;
 
   /// Throws std::invalid_argument unless amplitude and phase are finite and the frequency is finite and >= 0.
-  constexpr SinusoidalVibration(const PerAxis<Scalar>& amplitude_, const PerAxis<Scalar>& frequency_,
-                                const PerAxis<Scalar>& phase_ = Scalar(0))
+  constexpr SinusoidalVibration(const PerAxis<Scalar, N>& amplitude_, const PerAxis<Scalar, N>& frequency_,
+                                const PerAxis<Scalar, N>& phase_ = Scalar(0))
       : amplitude(amplitude_), frequency(frequency_), phase(phase_) {
     require_finite("SinusoidalVibration", "amplitude", amplitude);
     require_non_negative("SinusoidalVibration", "frequency", frequency);
     require_finite("SinusoidalVibration", "phase", phase);
   }
 
-  void apply(Sample<Scalar>& sample, State&) const {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Oscillation<Scalar> oscillation(frequency[axis] * sample.elapsed + phase[axis]);
-      sample.value[static_cast<int>(axis)] += amplitude[axis] * oscillation.sine;
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+    const AxisVector<Scalar, Axes> size = amplitude.template vector<Axes>(), rate = frequency.template vector<Axes>(),
+                                   start = phase.template vector<Axes>();
+    for (int i = 0; i < Axes; ++i) {
+      const Oscillation<Scalar> oscillation(rate[i] * sample.elapsed + start[i]);
+      sample.value[i] += size[i] * oscillation.sine;
     }
   }
 
@@ -45,6 +48,7 @@ struct SinusoidalVibration {
 };
 
 template <typename P, typename... More>
-SinusoidalVibration(const P&, const More&...) -> SinusoidalVibration<ScalarOfParameter<P>>;
+SinusoidalVibration(const P&,
+                    const More&...) -> SinusoidalVibration<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

@@ -11,25 +11,27 @@ namespace splinertia {
 /// A scale factor error proportional to the deviation from a reference temperature: the reading and the bias in it are
 /// multiplied by 1 + coefficient·(T(t) − reference). Coefficient per K, temperatures in °C. For T(t) see
 /// temperature.hpp.
-template <typename Scalar, TemperatureProfile<Scalar> Profile>
+template <typename Scalar, TemperatureProfile<Scalar> Profile, int N = 1>
 struct TemperatureScale {
   static constexpr std::string_view name = "temperature scale";
   struct State {};
 
-  PerAxis<Scalar> coefficient;
+  PerAxis<Scalar, N> coefficient;
   Profile temperature;
   Scalar reference;
 
   /// Throws std::invalid_argument unless coefficient, reference and their third powers are finite.
-  constexpr TemperatureScale(const PerAxis<Scalar>& coefficient_, const Profile& temperature_,
+  constexpr TemperatureScale(const PerAxis<Scalar, N>& coefficient_, const Profile& temperature_,
                              const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
     require_factor("TemperatureScale", "coefficient", coefficient);
     require_factor("TemperatureScale", "reference temperature", reference);
   }
 
-  void apply(Sample<Scalar>& sample, State&) const {
-    const Vector3<Scalar> error = coefficient.vector() * (Scalar(temperature(sample.elapsed)) - reference);
+  template <int Axes>
+  void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+    const AxisVector<Scalar, Axes> error =
+        coefficient.template vector<Axes>() * (Scalar(temperature(sample.elapsed)) - reference);
     sample.value += error.cwiseProduct(sample.value);
     sample.bias += error.cwiseProduct(sample.bias);
   }
@@ -42,6 +44,7 @@ struct TemperatureScale {
 };
 
 template <typename P, typename Profile, typename... More>
-TemperatureScale(const P&, const Profile&, const More&...) -> TemperatureScale<ScalarOfParameter<P>, Profile>;
+TemperatureScale(const P&, const Profile&,
+                 const More&...) -> TemperatureScale<ScalarOfParameter<P>, Profile, values_in_parameter<P>>;
 
 }  // namespace splinertia

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
-#include <splinertia/errors/scale/g_sensitivity.hpp>
 #include <splinertia/imu/describe.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <type_traits>

@@ -3,6 +3,7 @@
 
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
+#include <splinertia/imu/imu_sensor_sample.hpp>
 #include <string_view>
 
 namespace splinertia {
@@ -21,7 +22,7 @@ struct GSensitivity {
     require_finite("GSensitivity", "sensitivity", sensitivity);
   }
 
-  void apply(Sample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }
+  void apply(ImuSensorSample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }
 
   void describe(auto&& parameter) const { parameter("sensitivity", sensitivity, "rad/s/(m/s^2)"); }
 };

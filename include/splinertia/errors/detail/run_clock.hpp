@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/errors/clock/stamp.hpp>
+#include <splinertia/errors/error_model.hpp>
+#include <splinertia/time.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace splinertia::detail {
+
+/// The times of the samples of one run, and the stamps that a clock with the errors `Stamps` gives them.
+template <typename Stamps, typename Scalar, TimePoint Time, BitGenerator Generator>
+class RunClock {
+ public:
+  static constexpr bool has_stamps = !std::is_same_v<Stamps, ErrorModel<>>;
+  using State = StateOfModel<Stamps, Stamp<Scalar>::axes, Generator>;
+
+  /// A time at which a sample is taken. `interval` and `elapsed` as in SensorSample.
+  struct Instant {
+    Time time;
+    Scalar interval;
+    bool first;
+    Scalar elapsed;
+  };
+
+  [[gnu::always_inline]] explicit RunClock(State stamps) : stamps_(std::move(stamps)) {}
+
+  [[nodiscard, gnu::always_inline]] Instant sample_at(Time time, const Scalar& interval) {
+    const bool first = first_;
+    if (first) start_ = time;
+    first_ = false;
+    return {time, interval, first, to_seconds<Scalar>(time - start_)};
+  }
+
+  /// Writes the stamp of a sample to reading.time and, if stamps have errors, the true time to reading.true_time.
+  /// Returns false if the sample is dropped; `reading` is then unchanged. A stamp that would be before next_stamp() of
+  /// the last one becomes next_stamp(). Throws std::invalid_argument, in the name of `whose`, for a stamp that is not
+  /// finite.
+  template <typename Reading>
+  [[gnu::always_inline]] bool stamp(const Stamps& errors, const Instant& now, const char* whose, Reading& reading) {
+    if constexpr (has_stamps) {
+      Stamp<Scalar> stamp{Scalar(0), false, now.interval, now.first, now.elapsed};
+      errors.apply(stamp, stamps_);
+      if (stamp.dropped) return false;
+      Time stamped = after(now.time, static_cast<double>(stamp.offset));
+      if (last_stamp_) stamped = (std::max)(stamped, next_stamp(*last_stamp_));
+      require_finite(whose, "stamp", printable(stamped));
+      last_stamp_ = stamped;
+      reading.true_time = now.time;
+      reading.time = stamped;
+    } else {
+      reading.time = now.time;
+    }
+    return true;
+  }
+
+ private:
+  struct Nothing {};
+
+  [[no_unique_address]] State stamps_;
+  [[no_unique_address]] std::conditional_t<has_stamps, std::optional<Time>, Nothing> last_stamp_{};
+  Time start_{};
+  bool first_ = true;
+};
+
+}  // namespace splinertia::detail

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <splinertia/errors/detail/correlation_factor.hpp>
+#include <splinertia/errors/error_term.hpp>
+#include <splinertia/errors/per_axis.hpp>
+#include <string_view>
+
+namespace splinertia {
+
+/// White noise whose axes are correlated, as where axes share electronics or are resolved from skewed sensors: adds
+/// N_i/√interval · (L n)_i, n standard normal, L·Lᵀ the N×N matrix of correlation coefficients. Each axis alone is as in
+/// WhiteNoise: N in unit/√Hz. Cholesky's factorisation.
+template <typename Scalar, int N>
+struct CorrelatedNoise {
+  static constexpr std::string_view name = "correlated noise";
+  using Matrix = Eigen::Matrix<Scalar, N, N>;
+  template <typename Normals>
+  using State = Normals;
+
+  PerAxis<Scalar, N> density;
+  Matrix correlation;
+
+  /// Throws std::invalid_argument unless the densities are finite and >= 0, and the matrix has ones on its diagonal, is
+  /// symmetric and has no negative eigenvalue.
+  CorrelatedNoise(const PerAxis<Scalar, N>& density_, const Matrix& correlation_)
+      : density(density_), correlation(correlation_) {
+    require_non_negative("CorrelatedNoise", "density", density);
+    require_finite("CorrelatedNoise", "correlation", correlation);
+    factor_ = detail::correlation_factor("CorrelatedNoise", correlation);
+  }
+
+  [[gnu::always_inline]] void apply(SensorSample<Scalar, N>& sample, auto& normals) const {
+    const AxisVector<Scalar, N> n = normals.template draw<Scalar>();
+    const Scalar per_root_second = Scalar(1) / square_root(sample.interval);
+    sample.value += (density.vector() * per_root_second).cwiseProduct(factor_.lazyProduct(n));
+  }
+
+  void describe(auto&& parameter) const {
+    parameter("density", density, SensorUnit{0, true});
+    parameter("correlation", correlation, "1");
+  }
+
+ private:
+  Matrix factor_;
+};
+
+template <typename P, typename Matrix>
+CorrelatedNoise(const P&, const Matrix&)
+    -> CorrelatedNoise<ScalarOfParameter<Matrix>, static_cast<int>(Matrix::RowsAtCompileTime)>;
+
+}  // namespace splinertia
