@@ -14,7 +14,7 @@ namespace detail {
 
 /// The scalar of the samples or increments in a range.
 template <std::ranges::input_range Samples>
-struct ScalarOfSamples {
+struct SampleScalar {
   using Sample = std::ranges::range_value_t<Samples>;
   static auto scalar(const Sample& s) {
     if constexpr (ImuIncrementLike<Sample>) {
@@ -35,7 +35,7 @@ concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std
 
 /// The scalar of such a range.
 template <ImuSampleRange Samples>
-using ScalarOfSamples = typename detail::ScalarOfSamples<Samples>::type;
+using ScalarOfSamples = typename detail::SampleScalar<Samples>::type;
 
 /// The motion that samples have measured from `start` to the last of them (PreintegratedImu), with the biases
 /// subtracted:
