@@ -20,6 +20,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 // For allan_allantools.py.
 
 /// Doubles as they are in memory.

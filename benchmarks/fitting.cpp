@@ -23,6 +23,7 @@
 #include "support/harness.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {

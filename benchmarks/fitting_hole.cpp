@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

@@ -22,6 +22,7 @@
 #include <vector>
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -197,8 +198,8 @@ void rest(const Setting& s, const std::vector<Hole>& holes, const Options& optio
           "  hole %.4f s from %.4f s: %.3g m/s2, %.3g rad/s, %.3g m%s, %d iterations, %zu gaps, %zu held, %zu out, "
           "condition %.2g\n",
           hole.length, hole.start, largest.force, largest.rate, largest.excursion,
-          result.converged ? "" : ", not converged", result.iterations, result.gaps.size(), result.held_control_points,
-          result.outliers.size(), result.condition);
+          result.converged ? "" : ", not converged", result.iterations, result.gaps.size(),
+          result.regularized_control_points, result.outliers.size(), result.condition);
     }
   }
   report.line("rest", s, holes.size(), not_converged,

@@ -10,7 +10,7 @@
 #include <span>
 #include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
-#include <splinertia/allan/deviation_misfit.hpp>
+#include <splinertia/allan/detail/deviation_misfit.hpp>
 #include <splinertia/allan/identify.hpp>
 #include <stdexcept>
 #include <string>
@@ -59,7 +59,7 @@ bool read_log(std::vector<double>& log) {
 void add_misfit(const allan::IntegratedSignal<double>& signal, const allan::NoiseEstimates<double>& noise,
                 Misfit& misfit) {
   for (const auto& point : allan::curve<allan::OverlappingAllanDeviation>(signal, {.alpha = 0}).points) {
-    const double off = allan::compare_deviation(point, signal.samples(), noise).off;
+    const double off = allan::detail::compare_deviation(point, signal.samples(), noise).off;
     misfit.above = std::max(misfit.above, -off);
     misfit.below = std::max(misfit.below, off);
   }
@@ -78,7 +78,7 @@ Analysis analyse(const std::vector<double>& log, const Options& options) {
     result.adequacy = static_cast<int>(analysis.adequacy());
   } else {
     result.noise =
-        allan::identify_pooled(std::vector<allan::DifferenceSpectrum<double>>(signals.begin(), signals.end()));
+        allan::identify_pooled(std::vector<allan::detail::DifferenceSpectrum<double>>(signals.begin(), signals.end()));
     if (!result.noise.fits || result.noise.agreement_probability < 0.01) result.adequacy = 2;
   }
   result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

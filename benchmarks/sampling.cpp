@@ -25,6 +25,7 @@
 #include "support/harness.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {
@@ -120,7 +121,7 @@ benchmark::Kernel one_by_one(const std::string& name) {
 
 /// The memory alone: 13 rows of numbers, as sample_imu writes them.
 benchmark::Kernel memory_bound() {
-  using L = NativeLanes<double>;
+  using L = NativeSimdPack<double>;
   struct Rows : SampleRows<double, 13> {
     Rows() { resize(samples_of_a_run); }
   };
@@ -138,7 +139,7 @@ benchmark::Kernel memory_bound() {
 /// The arithmetic alone: for each sample of a lane, as many products and sums, fused where the target can, as
 /// dense_imu_so3xr3_order4 has (counted in its machine code), on sixteen numbers that do not wait for one another.
 benchmark::Kernel arithmetic_bound() {
-  using L = NativeLanes<double>;
+  using L = NativeSimdPack<double>;
   return {"bound_arithmetic", [](std::size_t calls) {
             std::array<L, 8> sums;
             sums.fill(L(0.5));

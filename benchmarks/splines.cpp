@@ -21,6 +21,7 @@
 #endif
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

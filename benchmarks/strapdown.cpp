@@ -17,6 +17,7 @@
 #include "support/harness.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Vector = Eigen::Vector3d;
 
 namespace {

@@ -113,11 +113,11 @@ void analyse_log(Options o) {
   if (!o.no_plot) plot(o);
 }
 
-allan::AveragingFactors factors_of(const std::string& text) {
-  if (text == "all") return allan::AveragingFactors::all();
-  if (text == "octave") return allan::AveragingFactors::octave();
-  if (text == "decade") return allan::AveragingFactors::decade();
-  if (text == "log") return allan::AveragingFactors::logarithmic();
+allan::detail::AveragingFactors factors_of(const std::string& text) {
+  if (text == "all") return allan::detail::AveragingFactors::all();
+  if (text == "octave") return allan::detail::AveragingFactors::octave();
+  if (text == "decade") return allan::detail::AveragingFactors::decade();
+  if (text == "log") return allan::detail::AveragingFactors::logarithmic();
   std::vector<std::string_view> words;
   split_fields(text, words);
   if (words.empty()) words.push_back(text);
@@ -130,7 +130,7 @@ allan::AveragingFactors factors_of(const std::string& text) {
     }
     factors.push_back(factor.value);
   }
-  return allan::AveragingFactors::given(std::move(factors));
+  return allan::detail::AveragingFactors::given(std::move(factors));
 }
 
 using Curve = allan::Curve<double>;
@@ -152,7 +152,7 @@ std::string text_of(double value) {
 
 void print_deviation(const DeviationOptions& o) {
   Settings settings{.factors = factors_of(o.factors), .confidence = o.confidence, .alpha = o.alpha};
-  if (o.intervals == "exact") settings.phase_model = allan::PhaseModel::sampled;
+  if (o.intervals == "exact") settings.phase_model = allan::detail::PhaseModel::sampled;
   const std::vector<double> numbers = read_numbers(o.file);
   const auto curve_of = [&] {
     try {

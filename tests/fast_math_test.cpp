@@ -25,6 +25,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -108,7 +109,7 @@ TEST_CASE("Input that is not finite is refused") {
 TEMPLATE_TEST_CASE("What an addition rounds away is not lost in any order", "", float, double, long double) {
   using Scalar = TestType;
   volatile Scalar huge = 4 / std::numeric_limits<Scalar>::epsilon();
-  allan::CompensatedSum<Scalar> sum;
+  allan::detail::CompensatedSum<Scalar> sum;
   for (int i = 0; i < 1000; ++i) {
     sum.add(1);
     sum.add(huge);

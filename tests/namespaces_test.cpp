@@ -19,6 +19,7 @@ using namespace std;
 using namespace std::chrono;
 using namespace Eigen;
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("std, std::chrono, Eigen and splinertia are used together") {
   const Vector3<double> v(1, 2, 3);

@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::microseconds;
 using std::chrono::nanoseconds;
 

@@ -25,6 +25,8 @@ using Factors = std::vector<std::int64_t>;
 
 namespace {
 
+using namespace splinertia::detail;
+
 /// As numpy.logspace does, rounded: whole numbers that are not each other's doubles.
 Factors log_spaced(std::int64_t largest, int count) {
   Factors result;
@@ -67,7 +69,7 @@ struct Job {
 double bytes_of(const Factors& factors, std::size_t n) {
   double streams = 0;
   for (const DoublingChain& chain : doubling_chains(factors, DoublingChain::longest))
-    streams += static_cast<double>(chain.places.size() + 1);
+    streams += static_cast<double>(chain.indices.size() + 1);
   return streams * 8 * static_cast<double>(n);
 }
 

@@ -6,6 +6,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 // Measurements by hand. A sensor at p_BI in the body, whose axes q_BI takes to the body's.
 
 struct PlainMeasurement {

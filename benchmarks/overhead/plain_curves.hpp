@@ -8,6 +8,7 @@
 #include <vector>
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Vector = Eigen::Vector3d;
 using Vector2d = Eigen::Vector2d;
 using Quaternion = Eigen::Quaterniond;

@@ -11,6 +11,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 // Integration by hand: what the body does in a step, and what that makes of a state.
 
 struct Reading {

@@ -10,6 +10,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 // Both sides of each pair get the same: 100 control points 0.1 s apart, increments of rotation up to 0.5 rad, positions
 // ~ N(0, 1) m, calls at random times; 1000 readings at 200 Hz of a body that turns with up to 3 rad/s.
 

@@ -27,7 +27,9 @@ namespace study {
 namespace {
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 using Vector = Vector3<double>;
 using Log = std::vector<double>;

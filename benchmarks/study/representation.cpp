@@ -99,8 +99,8 @@ void representation(const Options& options) {
     Poses poses = measured_poses(options.data);
     const double first = (poses.back().time - wanted) / 2;
     if (first < 0) {
-      throw std::runtime_error(splinertia::message(options.data.string(), ": ", poses.back().time,
-                                                   " s long, expected at least ", wanted, " s"));
+      throw std::runtime_error(splinertia::detail::message(options.data.string(), ": ", poses.back().time,
+                                                           " s long, expected at least ", wanted, " s"));
     }
     std::erase_if(poses, [&](const auto& pose) { return pose.time < first - 0.1 || pose.time > first + wanted + 0.1; });
     const double start = poses.front().time;

@@ -43,7 +43,7 @@ void allan(const Options& options);
 /// One line on stderr.
 template <typename... Parts>
 void progress(const Parts&... parts) {
-  std::fputs((splinertia::message(parts...) + '\n').c_str(), stderr);
+  std::fputs((splinertia::detail::message(parts...) + '\n').c_str(), stderr);
 }
 
 /// A csv file, there when it is complete (commit()) or not at all. Doubles with six digits, which is more than they are
@@ -68,7 +68,7 @@ class Table {
   template <typename... Cells>
   void row(const Cells&... cells) {
     if (sizeof...(cells) != columns_) {
-      throw std::logic_error(splinertia::message("Table: ", sizeof...(cells), " cells, expected ", columns_));
+      throw std::logic_error(splinertia::detail::message("Table: ", sizeof...(cells), " cells, expected ", columns_));
     }
     std::size_t column = 0;
     (((column++ > 0 ? file_.append(',') : void()), append(cells)), ...);

@@ -21,7 +21,8 @@ template <typename To, typename From>
 [[nodiscard]] To in_other_scalar(const From& curve) {
   using H = typename To::Group;
   std::vector<H> points;
-  for (const auto& x : curve.control_points()) points.push_back(splinertia::with_scalar<splinertia::ScalarOf<H>>(x));
+  for (const auto& x : curve.control_points())
+    points.push_back(splinertia::detail::with_scalar<splinertia::ScalarOf<H>>(x));
   return To(curve.knots(), std::move(points));
 }
 

@@ -58,7 +58,7 @@ class SchemeErrors {
                 position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last);
   }
   void write(splinertia::AtomicFile& file) const {
-    file.append(splinertia::message(imu_, ',', scheme_));
+    file.append(splinertia::detail::message(imu_, ',', scheme_));
     for (const double value :
          {position_.rms(), position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last}) {
       file.append(',');

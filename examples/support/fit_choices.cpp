@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-using splinertia::message;
+using splinertia::detail::message;
 
 namespace {
 
@@ -70,7 +70,7 @@ void add_fit_options(CLI::App& app, FitChoices& o, CLI::Option* trajectory) {
 }
 
 void check_positive(const char* option, std::optional<double> number) {
-  if (number && !(*number > 0 && splinertia::is_finite(*number))) {
+  if (number && !(*number > 0 && splinertia::detail::is_finite(*number))) {
     throw std::invalid_argument(message(option, ": ", *number, ", expected a finite number > 0"));
   }
 }

@@ -110,9 +110,9 @@ std::string holes_text(const FitInput& input, const FittedTrajectory& fitted, co
                   o.position_density ? "determined by the smoothness only" : "as smooth as possible and not measured") +
         list(hole_lines(fitted.holes, input.poses.front().time, most_lines));
   }
-  if (fitted.held_control_points == 0) return text;
+  if (fitted.regularized_control_points == 0) return text;
   return text + formatted("regularised: %zu of %zu control points, which poses alone do not determine\n",
-                          fitted.held_control_points, fitted.control_points.size());
+                          fitted.regularized_control_points, fitted.control_points.size());
 }
 
 std::string condition_warning(double condition) {

@@ -64,8 +64,8 @@ struct FittedTrajectory {
   PoseDistances distances{};
   Eigen::Vector3d rotation_deviation{}, position_deviation{};
   std::vector<std::size_t> outliers{};
-  std::vector<Hole> holes{};            // where no poses measure the curve
-  std::size_t held_control_points = 0;  // control points that poses alone do not determine
+  std::vector<Hole> holes{};                   // where no poses measure the curve
+  std::size_t regularized_control_points = 0;  // control points that poses alone do not determine
   int iterations = 0;
   bool converged = true;
   double condition = 0;

@@ -18,10 +18,10 @@ struct GravityOption {
 inline CLI::Option* add_gravity_option(CLI::App& app, GravityOption& gravity) {
   const auto read = [&gravity](const std::vector<double>& numbers) {
     const auto refuse = [](const auto&... what) {
-      throw CLI::ValidationError("--gravity", splinertia::message(what...));
+      throw CLI::ValidationError("--gravity", splinertia::detail::message(what...));
     };
     for (const double number : numbers) {
-      if (!splinertia::is_finite(number)) refuse(number, ", expected finite numbers");
+      if (!splinertia::detail::is_finite(number)) refuse(number, ", expected finite numbers");
     }
     if (numbers.size() == 3) {
       gravity.vector = Eigen::Vector3d(numbers.data());

@@ -13,7 +13,7 @@
 #include "support/imu_noise.hpp"
 #include "support/yaml_reader.hpp"
 
-using splinertia::message;
+using splinertia::detail::message;
 
 namespace {
 
@@ -143,7 +143,7 @@ ImuNoise read_imu_noise(const std::filesystem::path& path, std::optional<double>
   for (std::size_t i = 0; i < densities.size(); ++i) {
     double& density = *densities[i];
     density = density_of(format.estimator, density, noise.update_rate);
-    if (!(density > 0) || !splinertia::is_finite(density)) {
+    if (!(density > 0) || !splinertia::detail::is_finite(density)) {
       file[format.keys[i]].fail(message(format.keys[i], " is a density of ", density, ", expected a number > 0"));
     }
   }

@@ -8,8 +8,8 @@
 #include "support/imu_noise.hpp"
 #include "support/yaml_text.hpp"
 
-using splinertia::message;
 using splinertia::white_noise_sigma;
+using splinertia::detail::message;
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-using splinertia::message;
+using splinertia::detail::message;
 
 extern char** environ;
 

@@ -14,7 +14,7 @@
 
 #include "support/yaml_text.hpp"
 
-using splinertia::message;
+using splinertia::detail::message;
 
 namespace {
 
@@ -128,7 +128,7 @@ double YamlReader::number() const {
   if (!YAML::convert<double>::decode(YAML::Node(all.substr(0, space)), value)) {
     fail(message(all, " is not a number"));
   }
-  if (!splinertia::is_finite(value)) fail(message(all, ", expected a finite number"));
+  if (!splinertia::detail::is_finite(value)) fail(message(all, ", expected a finite number"));
   if (unit_at >= all.size()) return value;
   const auto unit = known_units().find(all.substr(unit_at));
   if (unit == known_units().end()) {

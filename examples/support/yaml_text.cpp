@@ -69,7 +69,7 @@ std::string yaml_string(std::string_view text) {
 }
 
 std::string yaml_number(double value) {
-  std::string text = splinertia::message(value);
+  std::string text = splinertia::detail::message(value);
   if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
   return text;
 }

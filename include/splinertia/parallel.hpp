@@ -25,8 +25,12 @@ struct Parallel {
   unsigned threads = 0;
 };
 
+namespace detail {
+
 template <typename P>
 concept ExecutionPolicy = std::same_as<P, SingleThread> || std::same_as<P, Parallel>;
+
+}  // namespace detail
 
 /// f(0), f(1), …, f(count − 1).
 inline void for_each_index(SingleThread, std::size_t count, const auto& f) {

@@ -7,7 +7,7 @@
 
 #include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
-#include <splinertia/allan/deviation_misfit.hpp>
+#include <splinertia/allan/detail/deviation_misfit.hpp>
 #include <splinertia/allan/expected_accuracy.hpp>
 #include <splinertia/allan/fit_curve.hpp>
 #include <splinertia/allan/identify.hpp>
@@ -57,10 +57,10 @@
 #include <splinertia/group/pose.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/describe.hpp>
-#include <splinertia/imu/imu_noise.hpp>
 #include <splinertia/imu/errors/g_sensitivity.hpp>
 #include <splinertia/imu/errors/g_squared_sensitivity.hpp>
 #include <splinertia/imu/errors/size_effect.hpp>
+#include <splinertia/imu/imu_noise.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/sample_imu.hpp>
 #include <splinertia/imu/simulate.hpp>

@@ -19,13 +19,19 @@
 
 namespace splinertia {
 
+namespace detail {
+
 template <typename T>
 inline constexpr bool is_integer_duration = false;
 template <typename Rep, typename Period>
 inline constexpr bool is_integer_duration<std::chrono::duration<Rep, Period>> = std::signed_integral<Rep>;
 
+}  // namespace detail
+
 template <typename T>
-concept TimePoint = std::floating_point<T> || is_integer_duration<T>;
+concept TimePoint = std::floating_point<T> || detail::is_integer_duration<T>;
+
+namespace detail {
 
 /// Has a member `time` in seconds or as an integer duration.
 template <typename T>
@@ -41,10 +47,12 @@ inline constexpr bool is_time_difference = TimePoint<T>;
 template <std::unsigned_integral Rep, typename Period>
 inline constexpr bool is_time_difference<std::chrono::duration<Rep, Period>> = true;
 
+}  // namespace detail
+
 /// A time difference in seconds. Take the difference in the type of time, so that stamps since an epoch lose no
 /// precision.
 template <typename Scalar, typename Time>
-  requires is_time_difference<Time>
+  requires detail::is_time_difference<Time>
 [[nodiscard]] constexpr Scalar to_seconds(Time difference) {
   if constexpr (std::floating_point<Time>) {
     return static_cast<Scalar>(difference);
@@ -53,9 +61,11 @@ template <typename Scalar, typename Time>
   }
 }
 
+namespace detail {
+
 /// The number to print: seconds, or ticks of an integer duration.
 template <TimePoint Time>
-[[nodiscard]] constexpr auto printable(Time t) {
+[[nodiscard]] constexpr auto seconds_or_ticks(Time t) {
   if constexpr (std::floating_point<Time>) {
     return t;
   } else {
@@ -91,7 +101,6 @@ template <typename Real, TimePoint Time>
   }
 }
 
-namespace detail {
 template <TimePoint Time>
 inline constexpr int time_bits = std::numeric_limits<typename Time::rep>::digits + 1;
 
@@ -100,8 +109,6 @@ template <TimePoint Time, typename... Parts>
   refuse<std::out_of_range>("time: ", parts..., " does not fit into ", time_bits<Time>, "-bit ticks of ",
                             to_seconds<double>(Time(1)), " s");
 }
-}  // namespace detail
-
 /// Throws std::invalid_argument unless Time holds last − first, and with it all differences of times from first to
 /// last. The message begins with `whose` and names `what` (plural). Requires first <= last.
 template <TimePoint Time>
@@ -112,7 +119,7 @@ void check_span(std::string_view whose, std::string_view what, Time first, Time 
                                   " span more seconds than their time type can represent");
   } else {
     if (first >= Time::zero() || last <= (Time::max)() + first) return;
-    refuse<std::invalid_argument>(whose, ": ", what, " from ", printable(first), " to ", printable(last),
+    refuse<std::invalid_argument>(whose, ": ", what, " from ", seconds_or_ticks(first), " to ", seconds_or_ticks(last),
                                   " span more ticks than ", detail::time_bits<Time>, " bits can count");
   }
 }
@@ -131,6 +138,8 @@ template <TimePoint Time, std::floating_point Seconds>
   return Time(static_cast<typename Time::rep>(std::llround(ticks)));
 }
 
+}  // namespace detail
+
 /// The time `elapsed` seconds after `start`, to the nearest tick. Throws std::out_of_range if an integer Time cannot
 /// hold it.
 template <TimePoint Time>
@@ -139,12 +148,14 @@ template <TimePoint Time>
     return start + static_cast<Time>(elapsed);
   } else {
     typename Time::rep sum{};
-    if (__builtin_add_overflow(start.count(), to_ticks<Time>(elapsed).count(), &sum)) {
-      detail::refuse_time<Time>(elapsed, " s after ", printable(start));
+    if (__builtin_add_overflow(start.count(), detail::to_ticks<Time>(elapsed).count(), &sum)) {
+      detail::refuse_time<Time>(elapsed, " s after ", detail::seconds_or_ticks(start));
     }
     return Time(sum);
   }
 }
+
+namespace detail {
 
 /// The first time after t: the next number, or the next tick. The largest time is its own next.
 template <TimePoint Time>
@@ -178,11 +189,13 @@ template <TimePoint Time, TimePoint From>
   }
 }
 
+}  // namespace detail
+
 /// The same time in nanoseconds, the unit of the field's file formats. Seconds are rounded to the nearest nanosecond.
 /// Throws std::out_of_range beyond 292 years, which is what 64 bits hold.
 template <TimePoint Time>
 [[nodiscard]] std::chrono::nanoseconds to_nanoseconds(Time t) {
-  return as_time<std::chrono::nanoseconds>(t);
+  return detail::as_time<std::chrono::nanoseconds>(t);
 }
 
 }  // namespace splinertia

@@ -24,7 +24,9 @@
 
 namespace splinertia::testing {
 
-using splinertia::with_scalar;
+using namespace splinertia::detail;
+
+using splinertia::detail::with_scalar;
 
 template <typename T, typename S, int Order, int D>
 CumulativeBasis<T, Order, D> with_scalar(const CumulativeBasis<S, Order, D>& basis) {

@@ -5,6 +5,7 @@
 #include "adapters/ceres_checks.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

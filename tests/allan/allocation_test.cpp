@@ -14,6 +14,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 TEST_CASE("Running sums are allocated once, as large as they become") {

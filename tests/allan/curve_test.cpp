@@ -16,9 +16,12 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// Half a unit of the fifth digit, which Stable32 rounds one to from a little further.
 double half_a_digit(double sigma) { return 0.505 * std::pow(10.0, std::floor(std::log10(sigma)) - 4); }

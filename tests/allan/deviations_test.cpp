@@ -14,9 +14,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 golden::Table table(const std::string& name) { return golden::Table(SPLINERTIA_GOLDEN_DIR "/allan/" + name + ".csv"); }
 

@@ -80,12 +80,12 @@ inline void low_pass(std::vector<double>& y, double share) {
 inline void scale_power(std::vector<double>& y, double rate, double lowest, double highest, double factor) {
   std::vector<double> differences;
   for (std::size_t i = 1; i < y.size(); ++i) differences.push_back(y[i] - y[i - 1]);
-  auto b = allan::sine_transform(differences);
+  auto b = allan::detail::sine_transform(differences);
   for (std::size_t k = 1; k <= b.size(); ++k) {
     const double frequency = static_cast<double>(k) * rate / static_cast<double>(2 * y.size());
     if (lowest <= frequency && frequency <= highest) b[k - 1] *= std::sqrt(factor);
   }
-  differences = allan::sine_transform(b);  // its own inverse
+  differences = allan::detail::sine_transform(b);  // its own inverse
   for (std::size_t i = 1; i < y.size(); ++i) y[i] = y[i - 1] + differences[i - 1];
 }
 

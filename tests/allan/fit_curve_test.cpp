@@ -14,9 +14,12 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// Points without noise of coefficients in the order of standard_terms, an octave apart, as of a log of 2¹⁸ samples.
 template <typename Scalar>

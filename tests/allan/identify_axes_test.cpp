@@ -11,9 +11,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Spectra = std::vector<DifferenceSpectrum<double>>;
 constexpr double rate = 50;

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 TEST_CASE("Intervals hold the truth as often as they say") {

@@ -17,9 +17,12 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Estimates = NoiseEstimates<double>;
 constexpr NoiseTerms white_and_walk{NoiseTerm::white, NoiseTerm::random_walk};

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <splinertia/allan/detail/difference_spectrum.hpp>
-#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
-#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <string>
@@ -16,17 +16,17 @@ namespace splinertia::testing {
 /// The spectrum of one log and a fit of all its bins.
 struct LogFit {
   LogFit(const std::vector<double>& y, double rate)
-      : spectra{allan::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(y, rate))},
+      : spectra{allan::detail::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(y, rate))},
         pooled(spectra),
         fit(pooled, std::vector<bool>(pooled.bins().size(), true)),
         likelihood(fit) {}
   LogFit(const LogFit&) = delete;
   LogFit& operator=(const LogFit&) = delete;
 
-  std::vector<allan::DifferenceSpectrum<double>> spectra;
-  allan::PooledSpectrum<double> pooled;
-  allan::SpectralFit<double> fit;
-  allan::ModelLikelihood<double> likelihood;
+  std::vector<allan::detail::DifferenceSpectrum<double>> spectra;
+  allan::detail::PooledSpectrum<double> pooled;
+  allan::detail::SpectralFit<double> fit;
+  allan::detail::ModelLikelihood<double> likelihood;
 };
 
 /// Such as "NKB".

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
-#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <string>
@@ -14,8 +14,11 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// 4 ∫ S(f) sin⁴(πfτ)/(πfτ)² df, S the two-sided density of a term of coefficient 1: IEEE Std 952-1997, C.1. By
 /// Simpson's rule in x = πfτ on [0, length], with the mean of sin⁴, 3/8, from there on.

@@ -9,9 +9,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// White noise, of which (1 − B)^(alpha/2), B the shift by one sample, is taken: a power law |2 sin πf|^alpha.
 /// Kasdin, Proc. IEEE 83 (1995).

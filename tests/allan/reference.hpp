@@ -19,6 +19,8 @@
 
 namespace splinertia::testing {
 
+using namespace splinertia::detail;
+
 using Integers = std::vector<std::int64_t>;
 __extension__ typedef __int128 Wide;
 

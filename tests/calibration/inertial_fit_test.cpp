@@ -13,6 +13,7 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Rows = CalibrationRows;
 using Vector12 = Eigen::Matrix<double, Rows::count, 1>;
 
@@ -125,7 +126,7 @@ TEMPLATE_TEST_CASE("Without noise, a spline and the calibration are found exactl
   const Run<G> run(1, truth, 0);
   const auto exact = testing::some_imu();
   auto options = pose_options<Curve<G>>();
-  options.hold_ends = false;  // the prior believes the deviation that is given, and these poses have none
+  options.regularize_ends = false;  // the prior believes the deviation that is given, and these poses have none
   const auto fit = inertial_fit<Curve<G>>(run.poses, run.samples, options, imu_options());
   CHECK(fit.converged);
   CHECK(fit.imu.converged);

@@ -3,9 +3,9 @@
 // splines, samples and a simulation. The sanitizer ends the program where it finds fault.
 #include <chrono>
 #include <cstdio>
+#include <splinertia/io/detail/npy.hpp>
 #include <splinertia/io/euroc_groundtruth.hpp>
 #include <splinertia/io/euroc_imu.hpp>
-#include <splinertia/io/npy.hpp>
 #include <splinertia/io/npy_imu.hpp>
 #include <splinertia/io/trajectory.hpp>
 #include <splinertia/io/tum.hpp>

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEMPLATE_TEST_CASE("A number is finite, infinity and NaN are not", "", float, double, long double) {
   using Limits = std::numeric_limits<TestType>;

@@ -10,12 +10,13 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
 /// The lanes of x, one by one.
 template <typename T, int N, int Bytes>
-std::vector<T> numbers(const Lanes<T, N, Bytes>& x) {
+std::vector<T> numbers(const SimdPack<T, N, Bytes>& x) {
   std::vector<T> v(N);
   x.store(v.data());
   return v;
@@ -24,8 +25,9 @@ std::vector<T> numbers(const Lanes<T, N, Bytes>& x) {
 }  // namespace
 
 // One vector of the target, one and four of 16 bytes, and what the library uses.
-TEMPLATE_TEST_CASE("lanes compute as their numbers do", "", (Lanes<float, 4, 16>), (Lanes<double, 2, 16>),
-                   (Lanes<double, 8, 16>), (Lanes<float, 16, 16>), NativeLanes<float>, NativeLanes<double>) {
+TEMPLATE_TEST_CASE("lanes compute as their numbers do", "", (SimdPack<float, 4, 16>), (SimdPack<double, 2, 16>),
+                   (SimdPack<double, 8, 16>), (SimdPack<float, 16, 16>), NativeSimdPack<float>,
+                   NativeSimdPack<double>) {
   using L = TestType;
   using T = typename decltype(numbers(L(1)))::value_type;
   std::mt19937 bits(1);
@@ -60,7 +62,7 @@ TEMPLATE_TEST_CASE("lanes compute as their numbers do", "", (Lanes<float, 4, 16>
 }
 
 TEMPLATE_TEST_CASE("a number goes into all lanes, to the bit", "", float, double) {
-  using L = NativeLanes<TestType>;
+  using L = NativeSimdPack<TestType>;
   const TestType tiny = std::numeric_limits<TestType>::denorm_min();
   for (const TestType value : {TestType(0), TestType(-0.0), TestType(1) / 3, -tiny, tiny}) {
     for (const TestType x : numbers(L(value))) {
@@ -72,11 +74,11 @@ TEMPLATE_TEST_CASE("a number goes into all lanes, to the bit", "", float, double
 }
 
 TEST_CASE("lanes are cast number by number") {
-  using Wide = Lanes<double, NativeLanes<float>::size, vector_bytes>;
-  using Narrow = NativeLanes<float>;
+  using Wide = SimdPack<double, NativeSimdPack<float>::size, vector_bytes>;
+  using Narrow = NativeSimdPack<float>;
   const Wide x = Wide::ramp() / Wide(3.0);
-  const auto wide = numbers(x), back = numbers(lanes_cast<double>(lanes_cast<float>(x)));
-  const auto narrow = numbers(lanes_cast<float>(x));
+  const auto wide = numbers(x), back = numbers(simd_pack_cast<double>(simd_pack_cast<float>(x)));
+  const auto narrow = numbers(simd_pack_cast<float>(x));
   REQUIRE(narrow.size() == static_cast<std::size_t>(Narrow::size));
   for (std::size_t i = 0; i < wide.size(); ++i) {
     CHECK(narrow[i] == static_cast<float>(wide[i]));
@@ -85,7 +87,7 @@ TEST_CASE("lanes are cast number by number") {
 }
 
 TEST_CASE("Eigen's small vectors hold lanes") {
-  using L = NativeLanes<double>;
+  using L = NativeSimdPack<double>;
   const Eigen::Matrix<L, 3, 1> a(L(1.0), L(2.0), L(3.0)), b(L::ramp(), L(0.0), L(-1.0));
   const auto cross = numbers(Eigen::Matrix<L, 3, 1>(a.cross(b))[1]);  // a_z b_x − a_x b_z
   for (std::size_t i = 0; i < cross.size(); ++i) CHECK(cross[i] == 3 * static_cast<double>(i) + 1);

@@ -4,7 +4,7 @@
 
 #include "support/catch.hpp"
 
-using splinertia::message;
+using splinertia::detail::message;
 
 TEST_CASE("Numbers are as short as tells them apart") {
   CHECK(message("a ", 0.1, ' ', 3, " b") == "a 0.1 3 b");

@@ -5,7 +5,7 @@
 
 #include "support/catch.hpp"
 
-using splinertia::refuse;
+using splinertia::detail::refuse;
 
 TEST_CASE("refuse throws the error that is asked for, with the parts as its text") {
   try {

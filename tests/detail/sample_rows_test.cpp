@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("rows are contiguous and hold what was written") {
   SampleRows<double, 3> rows;
@@ -24,7 +25,7 @@ TEST_CASE("rows are contiguous and hold what was written") {
 }
 
 TEST_CASE("whole vectors can be written up to the end of each row, and leave the other rows alone") {
-  using L = NativeLanes<float>;
+  using L = NativeSimdPack<float>;
   for (std::size_t size = 1; size <= 2 * L::size + 1; ++size) {
     SampleRows<float, 2> rows;
     rows.resize(size);

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace splinertia::testing;
 
 TEMPLATE_TEST_CASE("Each axis has a stream of its own, the same for float", "", Xoshiro256, std::mt19937_64) {

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("A sample and a step of continuous-time noise") {
   CHECK_THAT(white_noise_sigma(0.015, 200), WithinRel(0.21213203435596426, 1e-15));

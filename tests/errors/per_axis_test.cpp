@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

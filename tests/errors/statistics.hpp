@@ -18,6 +18,8 @@
 
 namespace splinertia::testing {
 
+using namespace splinertia::detail;
+
 /// What a record gives, what theory says, and theory's standard error of the former.
 struct Estimate {
   double value, expected, standard_error;

@@ -6,6 +6,7 @@
 #include "extremes.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace extremes;
 using std::chrono::nanoseconds;
 
@@ -69,7 +70,7 @@ void check_ends(Time start, Time interval) {
   const auto points = random.walk<G>(13, 1);
   for_orders([&]<int Order>() {
     const Spline<G, Order, UniformKnots<Time>> curve({start, interval}, points);
-    INFO("order " << Order << ", start " << printable(start) << ", interval " << printable(interval));
+    INFO("order " << Order << ", start " << seconds_or_ticks(start) << ", interval " << seconds_or_ticks(interval));
     CHECK_NOTHROW(curve.template at<3>(curve.start()));
     CHECK_NOTHROW(curve.template at<3>(curve.end()));
     CHECK_THROWS_AS(curve.template at<3>(next(curve.start(), -1)), std::out_of_range);

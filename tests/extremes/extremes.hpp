@@ -33,6 +33,8 @@
 
 namespace extremes {
 
+using namespace splinertia::detail;
+
 using Long = long double;
 template <int N>
 using LongVector = Eigen::Matrix<Long, N, 1>;
@@ -63,7 +65,7 @@ struct Layout<Sophus::SO2<Scalar>> {
   static constexpr bool rigid = false;
   using Wide = Sophus::SO2<Long>;
   static Wide widen(const Sophus::SO2<Scalar>& x) {
-    return splinertia::rotation_from_unit_complex<Long>(x.unit_complex().x(), x.unit_complex().y());
+    return splinertia::detail::rotation_from_unit_complex<Long>(x.unit_complex().x(), x.unit_complex().y());
   }
 };
 
@@ -95,7 +97,7 @@ struct Layout<Sophus::SE2<Scalar>> {
 template <splinertia::Pose G>
 struct Layout<G> {
   using Scalar = splinertia::ScalarOf<G>;
-  static constexpr bool rigid = splinertia::RigidPose<G>;
+  static constexpr bool rigid = splinertia::detail::RigidPose<G>;
   static constexpr const char* name = rigid ? "SE3" : "SO3xR3";
   static constexpr int rotation = rigid ? 3 : 0, rotations = 3, translation = rigid ? 0 : 3, translations = 3;
   using Wide = std::conditional_t<rigid, Sophus::SE3<Long>, splinertia::SO3xR3<Long>>;
@@ -243,7 +245,7 @@ Reference<W> reference_from(const W& first, const std::array<splinertia::Tangent
                             const splinertia::CumulativeBasis<Long, Order, 3>& basis) {
   Reference<W> reference;
   reference.motion =
-      splinertia::evaluate_increments<3>(unit(first), [&](std::size_t j) { return increments[j]; }, basis);
+      splinertia::detail::evaluate_increments<3>(unit(first), [&](std::size_t j) { return increments[j]; }, basis);
   const auto& lambda = basis.lambda;
   natural_sizes<W>(reference, first, increments,
                    {lambda[0].data(), lambda[1].data(), lambda[2].data(), lambda[3].data()});

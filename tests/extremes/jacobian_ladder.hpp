@@ -11,6 +11,7 @@
 namespace extremes {
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 inline constexpr double jacobian_limit = 20;
 

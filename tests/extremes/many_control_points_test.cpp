@@ -7,6 +7,7 @@
 #include "extremes.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace extremes;
 using std::chrono::nanoseconds;
 

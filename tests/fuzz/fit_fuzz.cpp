@@ -50,7 +50,7 @@ void use_fit(Input& input) {
     if (loss == 2) options.loss = RobustLoss::cauchy();
     if (input.flag()) options.smoothness = Smoothness<G>{input.integer(1, 4), Tangent<G>::Constant(numbers())};
     if (input.flag()) options.outlier_limit = numbers();
-    options.hold_ends = input.flag();
+    options.regularize_ends = input.flag();
     options.most_iterations = input.integer(0, 10);
     const auto poses = poses_of<G, typename Curve::Time>(numbers);
     if (input.flag()) options.weights.assign(poses.size(), numbers());

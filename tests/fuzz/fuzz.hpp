@@ -21,6 +21,8 @@
 
 namespace splinertia::fuzz {
 
+using namespace splinertia::detail;
+
 /// Bytes as values, from the first on. Behind the last byte all values are zero.
 class Input {
  public:

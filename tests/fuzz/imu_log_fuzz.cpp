@@ -12,6 +12,8 @@
 
 namespace splinertia::fuzz::imu_log_target {
 
+using namespace splinertia::detail;
+
 void choose(Input& input, std::optional<std::string>& value, const auto& names) {
   const int index = input.integer(0, static_cast<int>(names.size()));
   if (index > 0) value = names[static_cast<std::size_t>(index - 1)];

@@ -10,6 +10,8 @@
 
 namespace splinertia::fuzz::imu_noise_target {
 
+using namespace splinertia::detail;
+
 void expect_near(double value, double expected) {
   expect(std::abs(value - expected) <= 1e-14 * std::abs(expected), "read ", value, ", wrote ", expected);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a NumPy file, read with one of several dtypes.
-#include <splinertia/io/npy.hpp>
+#include <splinertia/io/detail/npy.hpp>
 #include <string>
 
 #include "fuzz/files.hpp"
 
 namespace splinertia::fuzz::npy_target {
+
+using namespace splinertia::detail;
 
 struct Dtype {
   const char* text;

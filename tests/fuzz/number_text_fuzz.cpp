@@ -14,6 +14,8 @@
 
 namespace splinertia::fuzz::number_text_target {
 
+using namespace splinertia::detail;
+
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 void expect_round_trip(double value) {

@@ -17,6 +17,8 @@
 
 namespace splinertia::fuzz {
 
+using namespace splinertia::detail;
+
 inline void expect_finite(const auto& vector, const char* what) {
   for (Eigen::Index i = 0; i < vector.size(); ++i) expect(has_finite_bits(vector[i]), what, " has ", vector[i]);
 }

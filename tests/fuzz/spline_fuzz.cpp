@@ -13,6 +13,8 @@
 
 namespace splinertia::fuzz::spline_target {
 
+using namespace splinertia::detail;
+
 template <typename G>
 G point(Numbers& numbers) {
   if constexpr (std::same_as<G, SO3xR3<double>>) {
@@ -107,8 +109,8 @@ void use(Input& input) {
     }
     const Time outside = numbers.time<Time>();
     const bool inside = outside >= start && outside <= end;
-    expect(accepted("Spline: ", [&] { (void)curve.template at<1>(outside); }) == inside, "at(", printable(outside),
-           ")");
+    expect(accepted("Spline: ", [&] { (void)curve.template at<1>(outside); }) == inside, "at(",
+           seconds_or_ticks(outside), ")");
     const auto size = static_cast<std::size_t>(input.integer(1, 40));
     const Time interval = numbers.time<Time>();
     (void)accepted("sample: ", [&] {

@@ -11,6 +11,8 @@
 
 namespace splinertia::fuzz::stamped_table_target {
 
+using namespace splinertia::detail;
+
 constexpr std::array<std::string_view, 9> names{"t", "a", "b", "c", "d", "e", "f", "g", "h"};
 
 struct Row {

@@ -10,6 +10,8 @@
 
 namespace splinertia::fuzz::yaml_text_target {
 
+using namespace splinertia::detail;
+
 const Target target{"yaml_text", [](Input input) {
                       static InputBytes file("text.yaml");
                       const double number = Input(input).bits<double>();

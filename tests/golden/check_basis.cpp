@@ -24,10 +24,10 @@ void check_matrix_row(const Row& row, Report& report) {
   for_order(row, report, [&]<int Order>() {
     Grader<double> grader(report, row);
     const bool cumulative = row.text("kind") == "cumulative";
-    const auto got = entries<Order>(cumulative ? splinertia::uniform_cumulative_matrix<Order>()
-                                               : splinertia::uniform_basis_matrix<Order>());
+    const auto got = entries<Order>(cumulative ? splinertia::detail::uniform_cumulative_matrix<Order>()
+                                               : splinertia::detail::uniform_basis_matrix<Order>());
     grader.check("entries", got == row.outputs("entries") ? Numbers{0} : Numbers{1}, {0});
-    grader.check("denominator", {static_cast<long double>(splinertia::factorial(Order - 1))},
+    grader.check("denominator", {static_cast<long double>(splinertia::detail::factorial(Order - 1))},
                  row.outputs("denominator"));
   });
 }
@@ -35,17 +35,17 @@ void check_matrix_row(const Row& row, Report& report) {
 /// max_j |d^m λ_j/du^m|, straight from the matrix.
 template <int Order>
 [[nodiscard]] long double largest_derivative(int m, long double u) {
-  constexpr auto matrix = splinertia::uniform_cumulative_matrix<Order>();
+  constexpr auto matrix = splinertia::detail::uniform_cumulative_matrix<Order>();
   long double largest = 0;
   for (const auto& row : matrix) {
     long double sum = 0;
     for (int n = Order - 1; n >= m; --n) {
-      sum = sum * u + static_cast<long double>(row[static_cast<std::size_t>(n)] * splinertia::factorial(n) /
-                                               splinertia::factorial(n - m));
+      sum = sum * u + static_cast<long double>(row[static_cast<std::size_t>(n)] * splinertia::detail::factorial(n) /
+                                               splinertia::detail::factorial(n - m));
     }
     largest = std::max(largest, std::abs(sum));
   }
-  return largest / static_cast<long double>(splinertia::factorial(Order - 1));
+  return largest / static_cast<long double>(splinertia::detail::factorial(Order - 1));
 }
 
 /// Derivative m of λ_0 = 1, λ_1 … λ_{k−1}, and of the plain basis B_j = λ_j − λ_{j+1}, which the library has no other

@@ -7,6 +7,8 @@
 
 namespace golden {
 
+using namespace splinertia::detail;
+
 namespace {
 
 struct Kind {

@@ -14,6 +14,8 @@
 
 namespace golden {
 
+using namespace splinertia::detail;
+
 namespace {
 
 using splinertia::Motion;
@@ -46,7 +48,7 @@ struct ConstantRateAndAcceleration {
   template <int D>
   [[nodiscard]] Motion<SO3xR3<Scalar>, D> evaluate(Scalar t) const {
     splinertia::RigidBodyState<Scalar> s;
-    s.q_WB = splinertia::rotation_exp<Scalar>(omega * t);
+    s.q_WB = splinertia::detail::rotation_exp<Scalar>(omega * t);
     s.p_WB = p0 + t * v0 + t * t / 2 * a;
     s.omega = omega;
     s.v_WB = v0 + t * a;

@@ -12,6 +12,8 @@
 
 namespace golden {
 
+using namespace splinertia::detail;
+
 namespace {
 
 using splinertia::GroupTraits;
@@ -35,7 +37,8 @@ struct Jacobians : Pose {
     const std::span<const G, order> points(spline.control_points().data() + place.first, order);
     const auto linear = splinertia::linearize<2>(points, place.basis);
     const bool left = row.text("side") == "left";
-    const auto check = [&](const char* column, const splinertia::ControlPointJacobians<G, Spline::order>& jacobians,
+    const auto check = [&](const char* column,
+                           const splinertia::detail::ControlPointJacobians<G, Spline::order>& jacobians,
                            const Jacobian<G>& seen) {
       Numbers got;
       long double converted = 0;  // sizes that conversion to the left adds up before they cancel

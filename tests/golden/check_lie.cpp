@@ -28,7 +28,7 @@ struct Coefficient {
 
 template <typename Scalar>
 [[nodiscard]] std::vector<Coefficient<Scalar>> coefficients(const Scalar& theta) {
-  const auto c = splinertia::stumpff<7>(Scalar(theta * theta));
+  const auto c = splinertia::detail::stumpff<7>(Scalar(theta * theta));
   const auto& f = c.full;
   const auto sum = [](long double a, Scalar x, long double b, Scalar y, long double d = 0, Scalar z = 0) {
     return a * std::abs(static_cast<long double>(x)) + b * std::abs(static_cast<long double>(y)) +
@@ -43,15 +43,16 @@ template <typename Scalar>
       {"A3", f[3], 0},
       {"A4", f[4], 0},
       {"A5", f[5], 0},
-      {"B5", -half * splinertia::stumpff_derivative<3>(c), sum(0.5L, f[4], 1.5L, f[5])},
-      {"E", splinertia::inverse_jacobian_coefficient(c), 0},
-      {"dA1", splinertia::stumpff_derivative<1>(c), sum(1, f[3], 1, f[2])},
-      {"dA2", splinertia::stumpff_derivative<2>(c), sum(2, f[4], 1, f[3])},
-      {"dA3", splinertia::stumpff_derivative<3>(c), sum(3, f[5], 1, f[4])},
-      {"dA4", splinertia::stumpff_derivative<4>(c), sum(4, f[6], 1, f[5])},
-      {"dB5", half * (splinertia::stumpff_derivative<4>(c) - Scalar(3) * splinertia::stumpff_derivative<5>(c)),
+      {"B5", -half * splinertia::detail::stumpff_derivative<3>(c), sum(0.5L, f[4], 1.5L, f[5])},
+      {"E", splinertia::detail::inverse_jacobian_coefficient(c), 0},
+      {"dA1", splinertia::detail::stumpff_derivative<1>(c), sum(1, f[3], 1, f[2])},
+      {"dA2", splinertia::detail::stumpff_derivative<2>(c), sum(2, f[4], 1, f[3])},
+      {"dA3", splinertia::detail::stumpff_derivative<3>(c), sum(3, f[5], 1, f[4])},
+      {"dA4", splinertia::detail::stumpff_derivative<4>(c), sum(4, f[6], 1, f[5])},
+      {"dB5",
+       half * (splinertia::detail::stumpff_derivative<4>(c) - Scalar(3) * splinertia::detail::stumpff_derivative<5>(c)),
        sum(3.5L, f[6], 0.5L, f[5], 7.5L, f[7])},
-      {"dE", splinertia::inverse_jacobian_coefficient_derivative(c),
+      {"dE", splinertia::detail::inverse_jacobian_coefficient_derivative(c),
        sum(0.75L, c.half[4], 0.25L, c.half[3], 0.75L, c.half[5]) / (4 * std::abs(static_cast<long double>(c.half[1])))},
   };
 }
@@ -99,7 +100,7 @@ void check_exp(const Row& row, Grader<Scalar>& grader, const Eigen::Matrix<Scala
   const auto theta = static_cast<long double>(phi.norm());
   const bool beyond = theta > pi;
   const long double scale = beyond ? theta / 2 : 0;
-  const auto q = splinertia::rotation_exp<Scalar>(phi);
+  const auto q = splinertia::detail::rotation_exp<Scalar>(phi);
   const auto gold = row.outputs("exp_q");
   // The vector part alone, too: it must be right relative to itself for small angles.
   const auto got = signed_like(gold, flat(q.coeffs()));
@@ -107,13 +108,13 @@ void check_exp(const Row& row, Grader<Scalar>& grader, const Eigen::Matrix<Scala
   grader.check("exp_q, vector part", part(got, 0, 3), part(gold, 0, 3), {scale, theta / 2});
 
   Eigen::Matrix<Scalar, 3, 3> R;
-  for (int i = 0; i < 3; ++i) R.col(i) = splinertia::rotate<Scalar>(q, Eigen::Matrix<Scalar, 3, 1>::Unit(i));
+  for (int i = 0; i < 3; ++i) R.col(i) = splinertia::detail::rotate<Scalar>(q, Eigen::Matrix<Scalar, 3, 1>::Unit(i));
   grader.check("R", flat(R), row.outputs("R"), {beyond ? theta : 1, 1 + theta});  // of unit size
 
   // log after exp: the rounding of exp's result, eps of a unit quaternion, is in it beside log's own. Near π the
   // principal log of the rounded quaternion may be on the other branch.
   Numbers expected = row.outputs("log_exp");
-  const auto log = splinertia::rotation_log<Scalar>(q);
+  const auto log = splinertia::detail::rotation_log<Scalar>(q);
   const auto opposite = [&](const Numbers& a) { return a[0] * log[0] + a[1] * log[1] + a[2] * log[2] < 0; };
   const long double angle = std::hypot(std::hypot(expected[0], expected[1]), expected[2]);
   if (angle > pi * (1 - 8 * static_cast<long double>(std::numeric_limits<Scalar>::epsilon())) && opposite(expected)) {
@@ -133,10 +134,10 @@ void check_so3_lie_row(const Row& row, Report& report) {
     const long double cond = angle_condition<Scalar>(phi, row.outputs(derivative));
     grader.check(name, flat(got), row.outputs(name), {beyond ? cond : 0, cond});
   };
-  jacobian("Jl", "dJl", splinertia::rotation_left_jacobian<Scalar>(phi));
-  jacobian("Jr", "dJr", splinertia::rotation_left_jacobian<Scalar>(-phi));
-  jacobian("Jl_inv", "dJl_inv", splinertia::rotation_left_jacobian_inverse<Scalar>(phi));
-  jacobian("Jr_inv", "dJr_inv", splinertia::rotation_left_jacobian_inverse<Scalar>(-phi));
+  jacobian("Jl", "dJl", splinertia::detail::rotation_left_jacobian<Scalar>(phi));
+  jacobian("Jr", "dJr", splinertia::detail::rotation_left_jacobian<Scalar>(-phi));
+  jacobian("Jl_inv", "dJl_inv", splinertia::detail::rotation_left_jacobian_inverse<Scalar>(phi));
+  jacobian("Jr_inv", "dJr_inv", splinertia::detail::rotation_left_jacobian_inverse<Scalar>(-phi));
 
   // The derivative of a Jacobian by φ_i is the dual part of SE(3)'s at ρ = e_i; J_r(φ) = J_l(−φ). Beyond π the rounding
   // of θ counts as above, for the inverses with their pole at 2π.
@@ -152,10 +153,10 @@ void check_so3_lie_row(const Row& row, Report& report) {
     grader.check(name, got, gold, {beyond ? cond : 0, cond});
   };
   const auto f = [](const Vector& rho, const Vector& at) {
-    return splinertia::rigid_motion_left_jacobian<Scalar>(rho, at);
+    return splinertia::detail::rigid_motion_left_jacobian<Scalar>(rho, at);
   };
   const auto f_inverse = [](const Vector& rho, const Vector& at) {
-    return splinertia::rigid_motion_left_jacobian_inverse<Scalar>(rho, at);
+    return splinertia::detail::rigid_motion_left_jacobian_inverse<Scalar>(rho, at);
   };
   const long double pole = 2 / (2 * pi - theta);
   derivative("dJl", Scalar(1), 0, f);
@@ -168,7 +169,7 @@ template <typename Scalar>
 void check_so3_log_row(const Row& row, Report& report) {
   Grader<Scalar> grader(report, row);
   const auto q = input_vector<Scalar, 4>(row, "q");
-  const auto log = splinertia::rotation_log<Scalar>(Eigen::Quaternion<Scalar>(q[3], q[0], q[1], q[2]));
+  const auto log = splinertia::detail::rotation_log<Scalar>(Eigen::Quaternion<Scalar>(q[3], q[0], q[1], q[2]));
   // θ |dθ/dlog(q)| ≤ θ: rounding q changes no more than rounding the result.
   Numbers gold = row.outputs("log");
   if (std::is_same_v<Scalar, float> && q[3] == 0 && row.inputs<double>("q").at(3) < 0) {

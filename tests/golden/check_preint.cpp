@@ -131,13 +131,13 @@ template <typename Scalar>
     const Scalar h = i.seconds() / static_cast<Scalar>(pieces), twelfth = h * h / Scalar(12);
     for (int piece = 0; piece < pieces; ++piece) {
       const Scalar middle = i.seconds() * (static_cast<Scalar>(2 * piece + 1) / static_cast<Scalar>(2 * pieces));
-      splinertia::StepMoments<Scalar> moments;
+      splinertia::detail::StepMoments<Scalar> moments;
       moments.phi = (i.gyro - bias.gyro + i.gyro_slope * middle) * h;
       moments.nu = (i.accel - bias.accel + i.accel_slope * middle) * h;
       moments.phi_moment = i.gyro_slope * twelfth;
       moments.nu_moment = i.accel_slope * twelfth;
       moments.interval = h;
-      result.append(splinertia::linearize_increment(moments));
+      result.append(splinertia::detail::linearize_increment(moments));
     }
   }
   return result;

@@ -133,7 +133,8 @@ void check_increments_row(const Row& row, Report& report) {
       throw std::runtime_error(row.table().name() + ", row " + row.text("id") + ": not Order - 1 increments");
     }
     const auto basis = splinertia::uniform_basis<Order, 3>(row.input<Scalar>("u"), row.input<Scalar>("dt"));
-    Format::compare(row, grader, splinertia::evaluate_increments<3>(start, d, basis), Format::sizes(start, basis, d));
+    Format::compare(row, grader, splinertia::detail::evaluate_increments<3>(start, d, basis),
+                    Format::sizes(start, basis, d));
   });
 }
 

@@ -53,7 +53,7 @@ struct RigidPoses {
     const long double omega = length(part(V, 3, 3)), speed = length(part(V, 0, 3));
     const auto term = [&](const char* column, std::size_t i) { return cell(row, column, i); };
     const auto world = [&](const auto& body) {
-      return flat(splinertia::rotate<Scalar>(m.value.unit_quaternion(), body));
+      return flat(splinertia::detail::rotate<Scalar>(m.value.unit_quaternion(), body));
     };
     grader.check("pdot", world(splinertia::Vector3<Scalar>(m.velocity.template head<3>())), row.outputs("pdot"),
                  {term("scale", 0) + 2 * speed, term("cond", 2) + 2 * speed});

@@ -26,6 +26,8 @@
 
 namespace golden {
 
+using namespace splinertia::detail;
+
 enum class Grade { A, B };
 
 inline constexpr double value_limit = 4;

@@ -9,6 +9,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 /// A table in a temporary file.
 class TemporaryTable {
  public:

@@ -16,7 +16,7 @@ TEMPLATE_TEST_CASE("Rⁿ is a Lie group", "[group]", float, double, long double)
 TEST_CASE("Rⁿ adds", "[group]") {
   using G = Eigen::Vector2d;
   using T = splinertia::GroupTraits<G>;
-  STATIC_CHECK(splinertia::is_commutative<G>);
+  STATIC_CHECK(splinertia::detail::is_commutative<G>);
   STATIC_CHECK(splinertia::DofOf<G> == 2);
   CHECK(T::compose(G{1, 2}, G{3, 5}) == G{4, 7});
   CHECK(T::inverse(G{1, 2}) == G{-1, -2});

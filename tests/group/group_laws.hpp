@@ -26,6 +26,8 @@
 
 namespace laws {
 
+using namespace splinertia::detail;
+
 using Real = long double;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
@@ -88,7 +90,7 @@ class AnyGroup final : public Group {
     dof = T::Dof;
     eps = std::numeric_limits<Scalar>::epsilon();
     smallest = std::numeric_limits<Scalar>::denorm_min();
-    commutative = splinertia::is_commutative<G>;
+    commutative = splinertia::detail::is_commutative<G>;
     has_jacobians = splinertia::LieGroupWithJacobians<G>;
     has_increment = requires(const G& x) { T::increment(x, x); };
     parts = Describe<G>::parts();

@@ -7,6 +7,8 @@
 
 namespace {
 
+using namespace splinertia::detail;
+
 struct Affine {
   double a = 1, b = 0;
 };
@@ -65,7 +67,7 @@ using splinertia::LieGroupWithJacobians;
 TEST_CASE("a group from outside needs no Jacobians", "[group]") {
   STATIC_CHECK(LieGroup<Affine>);
   STATIC_CHECK_FALSE(LieGroupWithJacobians<Affine>);
-  STATIC_CHECK_FALSE(splinertia::is_commutative<Affine>);  // the default
+  STATIC_CHECK_FALSE(splinertia::detail::is_commutative<Affine>);  // the default
   STATIC_CHECK(splinertia::DofOf<Affine> == 2);
   STATIC_CHECK(std::is_same_v<splinertia::ScalarOf<Affine>, double>);
   laws::hold_for<Affine>();

@@ -4,6 +4,7 @@
 #include "group/sophus_laws.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEMPLATE_TEST_CASE("SO(3) × R³ is a Lie group", "[group]", float, double, long double) {
   laws::hold_for<SO3xR3<TestType>>();

@@ -24,8 +24,8 @@ TEST_CASE("a product knows its factors", "[group]") {
   STATIC_CHECK(P::offset<1> == 3);
   STATIC_CHECK(P::offset<2> == 9);
   STATIC_CHECK(std::is_same_v<P::Factor<1>, SO3xR3<double>>);
-  STATIC_CHECK_FALSE(splinertia::is_commutative<P>);
-  STATIC_CHECK(splinertia::is_commutative<Product<Sophus::SO2d, Eigen::Vector3d>>);
+  STATIC_CHECK_FALSE(splinertia::detail::is_commutative<P>);
+  STATIC_CHECK(splinertia::detail::is_commutative<Product<Sophus::SO2d, Eigen::Vector3d>>);
 }
 
 TEST_CASE("factors are read, written and bound by name", "[group]") {

@@ -6,6 +6,7 @@
 #include "group/sophus_laws.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

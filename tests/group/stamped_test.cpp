@@ -26,9 +26,9 @@ TEST_CASE("a range of stamped elements, or of what derives from them, is a traje
   struct More : Line {
     double temperature;
   };
-  STATIC_CHECK(splinertia::StampedPoses<std::vector<Line>>);
-  STATIC_CHECK(splinertia::StampedPoses<std::span<const More>>);
-  STATIC_CHECK_FALSE(splinertia::StampedPoses<std::list<Line>>);
-  STATIC_CHECK_FALSE(splinertia::StampedPoses<std::vector<Eigen::Vector3d>>);
-  STATIC_CHECK(std::is_same_v<splinertia::GroupOf<More>, Eigen::Vector3d>);
+  STATIC_CHECK(splinertia::detail::StampedPoses<std::vector<Line>>);
+  STATIC_CHECK(splinertia::detail::StampedPoses<std::span<const More>>);
+  STATIC_CHECK_FALSE(splinertia::detail::StampedPoses<std::list<Line>>);
+  STATIC_CHECK_FALSE(splinertia::detail::StampedPoses<std::vector<Eigen::Vector3d>>);
+  STATIC_CHECK(std::is_same_v<splinertia::detail::GroupOf<More>, Eigen::Vector3d>);
 }

@@ -7,15 +7,16 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
-using L = NativeLanes<double>;
+using L = NativeSimdPack<double>;
 static_assert(std::same_as<WithScalar<Sophus::SO3d, L>, Sophus::SO3<L>>);
 static_assert(std::same_as<WithScalar<SO3xR3<double>, L>, SO3xR3<L>>);
 static_assert(std::same_as<WithScalar<Sophus::SE3d, float>, Sophus::SE3f>);
-static_assert(HasLanes<Eigen::Vector2d, L> && HasLanes<SO3xR3<double>, L>);
+static_assert(HasSimdPack<Eigen::Vector2d, L> && HasSimdPack<SO3xR3<double>, L>);
 // exp takes the sine of any angle, of which there is none in lanes.
-static_assert(!HasLanes<Sophus::SO2d, L> && !HasLanes<Sophus::SE2d, L>);
-static_assert(!HasLanes<Product<Sophus::SO2d, Eigen::Vector2d>, L>);
+static_assert(!HasSimdPack<Sophus::SO2d, L> && !HasSimdPack<Sophus::SE2d, L>);
+static_assert(!HasSimdPack<Product<Sophus::SO2d, Eigen::Vector2d>, L>);
 
 TEST_CASE("an element is the same in all lanes") {
   const Sophus::SO3d R = GroupTraits<Sophus::SO3d>::exp({0.1, -0.2, 0.3});

@@ -11,6 +11,7 @@
 #endif
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Point = Eigen::Vector2d;
 using Uniform = Spline<Point, 4>;
 using NonUniform = Spline<Point, 4, NonUniformKnots<double>>;

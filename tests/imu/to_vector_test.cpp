@@ -18,6 +18,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 const Imu noisy{ErrorModel{WhiteNoise{0.01}}, ErrorModel{WhiteNoise{0.1}}};

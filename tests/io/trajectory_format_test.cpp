@@ -12,6 +12,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using test::Dress;
 using test::error_of;
 using Kind = TrajectoryFormat::Kind;

@@ -22,6 +22,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using test::Dress;
 using test::error_of;
 using Line = Stamped<SO3xR3<double>>;

@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Curve = Spline<Eigen::Vector3d, 4>;
 using Poses = PosesOf<Curve>;
 using Weights = std::vector<double>;
@@ -38,10 +39,10 @@ TEST_CASE("What keeps a reference takes no temporary") {
 
   using Spans = std::vector<UnmeasuredSpan<double>>;
   using V = Eigen::Vector3d;
-  STATIC_CHECK(takes<GapBridges<Curve>, Curve&, Spans&, V, V, double, Weights&>);
-  STATIC_CHECK_FALSE(takes<GapBridges<Curve>, Curve, Spans&, V, V, double, Weights&>);
-  STATIC_CHECK_FALSE(takes<GapBridges<Curve>, Curve&, Spans, V, V, double, Weights&>);
-  STATIC_CHECK_FALSE(takes<GapBridges<Curve>, Curve&, Spans&, V, V, double, Weights>);
+  STATIC_CHECK(takes<GapRegularization<Curve>, Curve&, Spans&, V, V, double, Weights&>);
+  STATIC_CHECK_FALSE(takes<GapRegularization<Curve>, Curve, Spans&, V, V, double, Weights&>);
+  STATIC_CHECK_FALSE(takes<GapRegularization<Curve>, Curve&, Spans, V, V, double, Weights&>);
+  STATIC_CHECK_FALSE(takes<GapRegularization<Curve>, Curve&, Spans&, V, V, double, Weights>);
 
   using PoseCurve = Spline<SO3xR3<double>, 4>;
   using Inertial = InertialTerm<PoseCurve>;
@@ -52,17 +53,18 @@ TEST_CASE("What keeps a reference takes no temporary") {
   STATIC_CHECK_FALSE(takes<CalibrationModel<PoseCurve>, Inertial&, PoseCurve>);
 
   using allan::NoiseTerms;
-  using Fit = allan::SpectralFit<double>;
-  using Spectrum = allan::PooledSpectrum<double>;
-  using Likelihood = allan::ModelLikelihood<double>;
-  using Selection = allan::ModelSelection<double>;
+  using Fit = allan::detail::SpectralFit<double>;
+  using Spectrum = allan::detail::PooledSpectrum<double>;
+  using Likelihood = allan::detail::ModelLikelihood<double>;
+  using Selection = allan::detail::ModelSelection<double>;
   STATIC_CHECK(takes<Fit, Spectrum&, std::vector<bool>>);
   STATIC_CHECK_FALSE(takes<Fit, Spectrum, std::vector<bool>>);
   STATIC_CHECK_FALSE(takes<Likelihood, Fit>);
   STATIC_CHECK_FALSE(takes<Selection, Fit, NoiseTerms>);
-  STATIC_CHECK_FALSE(takes<allan::ModelEstimates<double>, Selection, double, NoiseTerms>);
-  STATIC_CHECK_FALSE(takes<allan::ProfileLikelihood<double>, Likelihood, NoiseTerms, Fit::Result>);
-  STATIC_CHECK_FALSE(takes<allan::BandSelection<double>, Spectrum, double, std::vector<allan::Interval<double>>>);
-  STATIC_CHECK_FALSE(takes<allan::StepSearch<double>, allan::IntegratedSignal<double>, allan::StepOptions>);
-  STATIC_CHECK_FALSE(takes<allan::StepFitter, std::vector<double>>);
+  STATIC_CHECK_FALSE(takes<allan::detail::ModelEstimates<double>, Selection, double, NoiseTerms>);
+  STATIC_CHECK_FALSE(takes<allan::detail::ProfileLikelihood<double>, Likelihood, NoiseTerms, Fit::Result>);
+  STATIC_CHECK_FALSE(
+      takes<allan::detail::BandSelection<double>, Spectrum, double, std::vector<allan::Interval<double>>>);
+  STATIC_CHECK_FALSE(takes<allan::detail::StepSearch<double>, allan::IntegratedSignal<double>, allan::StepOptions>);
+  STATIC_CHECK_FALSE(takes<allan::detail::StepFitter, std::vector<double>>);
 }

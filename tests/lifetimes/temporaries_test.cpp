@@ -12,6 +12,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Curve = Spline<Eigen::Vector3d, 4>;
 using Poses = PosesOf<Curve>;
 using Weights = std::vector<double>;
@@ -59,17 +60,17 @@ TEST_CASE("An Allan curve keeps the name that it is given") {
 }
 
 TEST_CASE("An identification keeps the spectra of its axes, and stays where it is") {
-  using Spectra = std::vector<allan::DifferenceSpectrum<double>>;
+  using Spectra = std::vector<allan::detail::DifferenceSpectrum<double>>;
   const auto spectrum = [] {
-    return allan::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(signal(), 100.0));
+    return allan::detail::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(signal(), 100.0));
   };
   const allan::IdentifyOptions<double> options{
       .candidates = allan::NoiseTerms{allan::NoiseTerm::white, allan::NoiseTerm::random_walk}};
-  const allan::Identification<double> identification(Spectra{spectrum(), spectrum()}, options);
+  const allan::detail::Identification<double> identification(Spectra{spectrum(), spectrum()}, options);
   const std::vector<double> other(1000, 7.0);
   CHECK(identification.estimates().N.value > 0);
-  STATIC_CHECK_FALSE(std::is_copy_constructible_v<allan::Identification<double>>);
-  STATIC_CHECK_FALSE(std::is_move_constructible_v<allan::Identification<double>>);
+  STATIC_CHECK_FALSE(std::is_copy_constructible_v<allan::detail::Identification<double>>);
+  STATIC_CHECK_FALSE(std::is_move_constructible_v<allan::detail::Identification<double>>);
 }
 
 TEST_CASE("Rows of temporary samples are copies") {

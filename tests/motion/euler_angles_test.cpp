@@ -5,6 +5,7 @@
 #include "support/derivatives.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 EulerAngles<double> tumbling(double t) {

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("The layers of the ziggurat have the same area and close at the top") {
   const auto& t = ziggurat_tables;

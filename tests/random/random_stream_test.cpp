@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("The generator is one of the standard library's kind") {
   STATIC_CHECK(std::uniform_random_bit_generator<Xoshiro256>);

@@ -35,6 +35,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 template struct splinertia::GroupTraits<Sophus::SO2<Real>>;

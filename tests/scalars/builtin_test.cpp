@@ -14,6 +14,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 template class splinertia::Product<Sophus::SO3f, Eigen::Vector3f>;
@@ -37,7 +38,7 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::GroupTraits<Sophus::SE2<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SE3<Scalar>>;                                             \
   template struct splinertia::GroupTraits<splinertia::SO3xR3<Scalar>>;                                      \
-  template struct splinertia::DualMatrix3<Scalar>;                                                          \
+  template struct splinertia::detail::DualMatrix3<Scalar>;                                                  \
   template struct splinertia::ParameterLayout<splinertia::Vector3<Scalar>>;                                 \
   template struct splinertia::ParameterLayout<Sophus::SO2<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SO3<Scalar>>;                                         \
@@ -60,7 +61,7 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::WhiteNoise<Scalar>;                                                           \
   template struct splinertia::RandomWalk<Scalar>;                                                           \
   template struct splinertia::GaussMarkov<Scalar>;                                                          \
-  template struct splinertia::GaussMarkovStep<Scalar>;                                                      \
+  template struct splinertia::detail::GaussMarkovStep<Scalar>;                                              \
   template struct splinertia::FlickerBand<Scalar>;                                                          \
   template struct splinertia::BiasInstability<Scalar>;                                                      \
   template struct splinertia::QuantizationNoise<Scalar>;                                                    \
@@ -70,7 +71,7 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::TemperatureScale<Scalar, WarmUp<Scalar>>;                                     \
   template struct splinertia::ScaleFactor<Scalar>;                                                          \
   template struct splinertia::Misalignment<Scalar>;                                                         \
-  template struct splinertia::KalibrMisalignment<Scalar>;                                                   \
+  template struct splinertia::detail::KalibrMisalignment<Scalar>;                                           \
   template struct splinertia::GSensitivity<Scalar>;                                                         \
   template struct splinertia::SinusoidalVibration<Scalar>;                                                  \
   template struct splinertia::RandomVibration<Scalar>;                                                      \
@@ -88,30 +89,30 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::BasicImuReading<Scalar, nanoseconds>;                                         \
   template struct splinertia::StampedImuReading<Scalar, Scalar>;                                            \
   template class splinertia::ImuErrors<NoisyImu<Scalar>, Scalar, nanoseconds>;                              \
-  template class splinertia::Simulation<const splinertia::Ellipse<Scalar>&, NoisyImu<Scalar>>;              \
+  template class splinertia::detail::Simulation<const splinertia::Ellipse<Scalar>&, NoisyImu<Scalar>>;      \
   template struct splinertia::Mounting<Scalar>;                                                             \
   template struct splinertia::NavState<Scalar>;                                                             \
   template struct splinertia::NavState<Scalar, nanoseconds>;                                                \
-  template struct splinertia::GalileanVector<Scalar>;                                                       \
-  template struct splinertia::NavIncrement<Scalar>;                                                         \
+  template struct splinertia::detail::GalileanVector<Scalar>;                                               \
+  template struct splinertia::detail::NavIncrement<Scalar>;                                                 \
   template struct splinertia::StepMean<Scalar>;                                                             \
-  template struct splinertia::StepMoments<Scalar>;                                                          \
+  template struct splinertia::detail::StepMoments<Scalar>;                                                  \
   template struct splinertia::ImuSample<Scalar, nanoseconds>;                                               \
   template struct splinertia::ImuIncrement<Scalar, nanoseconds>;                                            \
   template struct splinertia::Magnus4::Weights<Scalar>;                                                     \
   template struct splinertia::GapOptions<Scalar>;                                                           \
   template struct splinertia::RotatingFrame<Scalar>;                                                        \
   template struct splinertia::IntegrationOptions<Scalar, RotatingFrame<Scalar>>;                            \
-  template class splinertia::SampleWindow<Magnus4, Scalar, Scalar>;                                         \
-  template class splinertia::SampleWindow<TwoSampleIncrements, Scalar, nanoseconds>;                        \
+  template class splinertia::detail::SampleWindow<Magnus4, Scalar, Scalar>;                                 \
+  template class splinertia::detail::SampleWindow<TwoSampleIncrements, Scalar, nanoseconds>;                \
   template class splinertia::Integrator<Midpoint, Scalar, Scalar>;                                          \
   template class splinertia::Integrator<RungeKutta4DoubleStep, Scalar, nanoseconds, RotatingFrame<Scalar>>; \
   template class splinertia::Integrator<ThreeSampleIncrements, Scalar, nanoseconds>;                        \
   template struct splinertia::ImuBias<Scalar>;                                                              \
-  template struct splinertia::BiasJacobians<Scalar>;                                                        \
-  template struct splinertia::LinearizedIncrement<Scalar>;                                                  \
+  template struct splinertia::detail::BiasJacobians<Scalar>;                                                \
+  template struct splinertia::detail::LinearizedIncrement<Scalar>;                                          \
   template struct splinertia::ImuNoise<Scalar>;                                                             \
-  template class splinertia::ImuCovariance<Scalar>;                                                         \
+  template class splinertia::detail::ImuCovariance<Scalar>;                                                 \
   template class splinertia::PreintegratedImu<Scalar>;                                                      \
   template class splinertia::PreintegratedImu<Scalar, ImuCovariance<Scalar>>;                               \
   template class splinertia::Preintegrator<Magnus4, Scalar, Scalar>;                                        \

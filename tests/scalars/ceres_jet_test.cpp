@@ -27,6 +27,7 @@
 #include "adapters/ceres_checks.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 template <int Order>
 constexpr bool partition_of_unity() {

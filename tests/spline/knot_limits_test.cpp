@@ -14,6 +14,7 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {

@@ -14,6 +14,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {
@@ -102,7 +103,7 @@ TEMPLATE_TEST_CASE("No time makes a curve read what it does not have", "", Unifo
         const Spline<G, Order, K> curve(knots<K, Order>(n, empty_ends), random.walk<G>(n, 1));
         const std::size_t first = 0, last = n - Order;
         for (const Time t : wild_times<Time>()) {
-          CAPTURE(printable(t));
+          CAPTURE(seconds_or_ticks(t));
           CHECK_FALSE(curve.contains(t));
           CHECK_THROWS_AS(curve.template at<0>(t), std::out_of_range);
           const std::size_t segment = curve.knots().segment(t, n, Order);

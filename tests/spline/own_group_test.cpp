@@ -13,6 +13,7 @@
 #include "support/own_groups.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using test::Gain;
 using test::PlainGain;
 using test::Shift;
@@ -71,7 +72,7 @@ TEMPLATE_TEST_CASE("Samples of a group of one's own are what evaluate() gives, o
 
 TEST_CASE("With ParameterLayout and WithScalarOf a group of one's own goes in lanes and parameter blocks") {
   using Curve = Spline<Shift<double>, 4>;
-  STATIC_CHECK(LaneCurve<Curve>);
+  STATIC_CHECK(PackedCurve<Curve>);
   STATIC_CHECK(HasParameterLayout<Product<Shift<double>, Eigen::Vector3d>>);
   STATIC_CHECK_FALSE(HasParameterLayout<Product<Gain, Eigen::Vector3d>>);
   const Curve curve({.start = 0, .interval = 0.1}, {{1}, {1.5}, {2}, {1.2}, {0.7}, {1}});

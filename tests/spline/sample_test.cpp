@@ -11,6 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {
@@ -117,7 +118,7 @@ TEMPLATE_TEST_CASE("samples are what evaluate() gives: groups, scalars, knots an
                    (Spline<SO3xR3<double>, 4, NonUniformKnots<double>>),
                    (Spline<SO3xR3<float>, 4, NonUniformKnots<double>>),
                    (Spline<Sophus::SE3d, 4, NonUniformKnots<nanoseconds>>)) {
-  static_assert(LaneCurve<TestType>);
+  static_assert(PackedCurve<TestType>);
   using K = std::remove_cvref_t<decltype(std::declval<TestType>().knots())>;
   compare_at_all_rates<3>(random_curve<typename TestType::Group, TestType::order, K>());
 }
@@ -134,7 +135,7 @@ TEMPLATE_TEST_CASE_SIG("samples of every derivative", "", ((int D), D), 0, 1, 2,
 TEMPLATE_TEST_CASE("curves that have no lanes are sampled one by one", "", (Spline<SO3xR3<long double>, 4>),
                    (Spline<Sophus::SE2d, 4>), (Spline<Sophus::SO2f, 4>),
                    (Spline<SO3xR3<float>, 4, UniformKnots<float>>)) {
-  static_assert(!LaneCurve<TestType>);
+  static_assert(!PackedCurve<TestType>);
   using K = std::remove_cvref_t<decltype(std::declval<TestType>().knots())>;
   const auto curve = random_curve<typename TestType::Group, TestType::order, K>();
   using Time = typename TestType::Time;

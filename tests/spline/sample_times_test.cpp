@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 TEST_CASE("times are counted from the start") {
@@ -20,7 +21,7 @@ TEST_CASE("times are counted from the start") {
 }
 
 TEST_CASE("times in lanes are the same") {
-  using L = NativeLanes<double>;
+  using L = NativeSimdPack<double>;
   const SampleTimes<double> times{1.0 / 3, 1.0 / 7};
   double lanes[L::size];
   times.lanes<L>(5).store(lanes);

@@ -12,6 +12,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 using Curve = Spline<SO3xR3<double>, 4>;

@@ -20,6 +20,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 const Imu ideal{ErrorModel{}, ErrorModel{}};

@@ -7,6 +7,8 @@
 
 namespace splinertia::testing {
 
+using namespace splinertia::detail;
+
 using Matrix5 = Eigen::Matrix<long double, 5, 5>;
 
 /// The matrix of galilean.hpp.

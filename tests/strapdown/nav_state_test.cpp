@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("The state of a motion is its pose and world velocity") {
   const auto m = Ellipse<>{}.evaluate<1>(2.0);

@@ -7,6 +7,8 @@
 
 namespace test {
 
+using namespace splinertia::detail;
+
 /// Positive factors under multiplication. Evaluates, and has Jacobians.
 struct Gain {
   double factor = 1;

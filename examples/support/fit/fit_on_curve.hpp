@@ -106,7 +106,7 @@ void describe_fit(const Fit<Curve>& fit, bool with_imu, FittedTrajectory& result
   for (const auto& gap : fit.gaps) {
     if (!with_imu) result.holes.push_back({gap.start, gap.end});
   }
-  result.held_control_points = fit.held_control_points;
+  result.regularized_control_points = fit.regularized_control_points;
   if (fit.knot_choice) result.why_interval = why(fit.knot_choice->limit);
   result.iterations = fit.iterations;
   result.converged = fit.converged;

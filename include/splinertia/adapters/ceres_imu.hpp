@@ -5,7 +5,7 @@
 
 #include <ceres/cost_function.h>
 
-#include <splinertia/adapters/ceres_residual.hpp>
+#include <splinertia/adapters/detail/ceres_residual.hpp>
 #include <splinertia/motion/kinematics.hpp>
 #include <splinertia/spline/kinematics_jacobians.hpp>
 
@@ -15,9 +15,9 @@ namespace splinertia {
 /// G is SE3, or SO3 for the rotations of a curve on SO3xR3.
 /// Blocks: the control points, the bias (3, rad/s).
 template <LieGroupWithJacobians G, int Order>
-  requires(RigidPose<G> || std::same_as<G, Sophus::SO3<double>>)
-class CeresGyroscopeResidual final : public CeresResidual<G, Order, 3> {
-  using Base = CeresResidual<G, Order, 3>;
+  requires(detail::RigidPose<G> || std::same_as<G, Sophus::SO3<double>>)
+class CeresGyroscopeResidual final : public detail::CeresResidual<G, Order, 3> {
+  using Base = detail::CeresResidual<G, Order, 3>;
 
  public:
   using Basis = CumulativeBasis<double, Order, 1>;
@@ -28,7 +28,7 @@ class CeresGyroscopeResidual final : public CeresResidual<G, Order, 3> {
       : Base({3}), basis_(basis), measured_(measured), weight_(square_root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto points = read_control_points<G, Order>(parameters);
+    const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
     const Eigen::Map<const Vector3<double>> bias(parameters[Base::control_point_blocks]);
     const auto write_residual = [&](const Motion<G, 1>& curve) {
@@ -62,8 +62,8 @@ class CeresGyroscopeResidual final : public CeresResidual<G, Order, 3> {
 /// estimate the direction of g alone, give its block a ceres::SphereManifold<3>; to fix g, hold the block constant.
 template <LieGroupWithJacobians G, int Order>
   requires Pose<G>
-class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {
-  using Base = CeresResidual<G, Order, 3>;
+class CeresAccelerometerResidual final : public detail::CeresResidual<G, Order, 3> {
+  using Base = detail::CeresResidual<G, Order, 3>;
 
  public:
   using Basis = CumulativeBasis<double, Order, 2>;
@@ -74,7 +74,7 @@ class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {
       : Base({3, 3}), basis_(basis), measured_(measured), weight_(square_root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto points = read_control_points<G, Order>(parameters);
+    const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
     const Eigen::Map<const Vector3<double>> bias(parameters[Base::control_point_blocks]);
     const Vector3<double> gravity = Eigen::Map<const Vector3<double>>(parameters[Base::control_point_blocks + 1]);
@@ -89,7 +89,7 @@ class CeresAccelerometerResidual final : public CeresResidual<G, Order, 3> {
     const Vector3<double> force = specific_force(curve, gravity);
     write_residual(force);
     const Matrix3<double> R_transposed =
-        weight_ * rotation_matrix_transposed<double>(rotation(curve.value).unit_quaternion());
+        weight_ * detail::rotation_matrix_transposed<double>(rotation(curve.value).unit_quaternion());
     for (std::size_t j = 0; j < points.size(); ++j) {
       Base::write_jacobian(jacobians, j, points[j], weight_ * specific_force_jacobian(curve, j, force, gravity));
     }

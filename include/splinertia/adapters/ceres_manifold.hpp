@@ -13,9 +13,13 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// A matrix in the memory layout of Ceres: row-major.
 template <int Rows, int Columns>
 using CeresMatrix = Eigen::Matrix<double, Rows, Columns, Columns == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+}  // namespace detail
 
 /// Right perturbations x ⊞ δ = x exp(δ) of a parameter block that holds an element of G in the layout of
 /// group/parameters.hpp, which is that of Sophus:
@@ -39,7 +43,7 @@ class CeresManifold final : public ceres::Manifold {
     return true;
   }
   bool PlusJacobian(const double* x, double* jacobian) const override {
-    Eigen::Map<CeresMatrix<parameter_count<G>, DofOf<G>>>{jacobian} =
+    Eigen::Map<detail::CeresMatrix<parameter_count<G>, DofOf<G>>>{jacobian} =
         ParameterLayout<G>::tangent_to_parameters(read_parameters<G>(x));
     return true;
   }
@@ -48,7 +52,7 @@ class CeresManifold final : public ceres::Manifold {
     return true;
   }
   bool MinusJacobian(const double* x, double* jacobian) const override {
-    Eigen::Map<CeresMatrix<DofOf<G>, parameter_count<G>>>{jacobian} =
+    Eigen::Map<detail::CeresMatrix<DofOf<G>, parameter_count<G>>>{jacobian} =
         ParameterLayout<G>::parameters_to_tangent(read_parameters<G>(x));
     return true;
   }

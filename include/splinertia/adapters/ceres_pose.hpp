@@ -5,7 +5,7 @@
 #include <ceres/cost_function.h>
 
 #include <cmath>
-#include <splinertia/adapters/ceres_residual.hpp>
+#include <splinertia/adapters/detail/ceres_residual.hpp>
 #include <splinertia/spline/basis.hpp>
 
 namespace splinertia {
@@ -20,8 +20,8 @@ namespace splinertia {
 /// Derivative: dr = W J_r⁻¹(log(Z⁻¹ X)) dX, regular up to rotations by π, where log itself jumps.
 /// Blocks: the control points.
 template <LieGroupWithJacobians G, int Order>
-class CeresPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
-  using Base = CeresResidual<G, Order, DofOf<G>>;
+class CeresPoseResidual final : public detail::CeresResidual<G, Order, DofOf<G>> {
+  using Base = detail::CeresResidual<G, Order, DofOf<G>>;
 
  public:
   using Basis = CumulativeBasis<double, Order, 0>;
@@ -31,7 +31,7 @@ class CeresPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
       : Base({}), basis_(basis), measured_(measured), weight_(square_root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto points = read_control_points<G, Order>(parameters);
+    const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
     Eigen::Map<Tangent<G>> r(residuals);
     if (jacobians == nullptr) {
@@ -65,8 +65,8 @@ class CeresPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
 /// residuals again once τ is known to within an interval. If the excess is more than one interval, Evaluate returns
 /// false.
 template <LieGroupWithJacobians G, int Order>
-class CeresShiftedPoseResidual final : public CeresResidual<G, Order, DofOf<G>> {
-  using Base = CeresResidual<G, Order, DofOf<G>>;
+class CeresShiftedPoseResidual final : public detail::CeresResidual<G, Order, DofOf<G>> {
+  using Base = detail::CeresResidual<G, Order, DofOf<G>>;
 
  public:
   /// `u` in [0, 1] is the relative position of the stamp in its segment, which is `interval` seconds long.
@@ -77,7 +77,7 @@ class CeresShiftedPoseResidual final : public CeresResidual<G, Order, DofOf<G>> 
     const double tau = *parameters[Base::control_point_blocks];
     const double u = u_ + tau / interval_;
     if (!(u >= -1 && u <= 2)) return false;
-    const auto points = read_control_points<G, Order>(parameters);
+    const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
     Eigen::Map<Tangent<G>> r(residuals);
     if (jacobians == nullptr) {

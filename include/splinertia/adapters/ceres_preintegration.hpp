@@ -15,6 +15,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The lower triangular W with WᵀW = P⁻¹ for the covariance P of a preintegrated motion. Throws std::invalid_argument
 /// if P is singular: if a noise density is zero, or for a single step, whose position follows from its velocity.
 [[nodiscard]] inline Eigen::Matrix<double, 15, 15> square_root_information(const ImuCovariance<double>& covariance) {
@@ -47,6 +49,8 @@ namespace splinertia {
   return W;
 }
 
+}  // namespace detail
+
 /// r = W · preintegration_residual, with W = square_root_information of the covariance of the preintegrated motion.
 /// Gravity, the acceleration of free fall in the world in m/s², is fixed.
 ///
@@ -59,15 +63,15 @@ namespace splinertia {
 ///                            b.R_WB.data(), b.v_WB.data(), b.p_WB.data(), b_biases.data());
 class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4, 3, 3, 6, 4, 3, 3, 6> {
  public:
-  using Preintegrated = PreintegratedImu<double, ImuCovariance<double>>;
+  using Preintegrated = PreintegratedImu<double, detail::ImuCovariance<double>>;
 
   /// Throws std::invalid_argument if the covariance is singular.
   CeresPreintegrationResidual(const Preintegrated& imu, const Vector3<double>& gravity)
-      : imu_(imu), gravity_(gravity), weight_(square_root_information(imu.covariance())) {}
+      : imu_(imu), gravity_(gravity), weight_(detail::square_root_information(imu.covariance())) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const State i(parameters), j(parameters + blocks);
-    Eigen::Map<PreintegrationResidual<double>> r(residuals);
+    Eigen::Map<detail::PreintegrationResidual<double>> r(residuals);
     if (jacobians == nullptr) {
       r = weight_ * preintegration_residual(imu_, i.state, i.bias, j.state, j.bias, gravity_);
       return true;
@@ -98,12 +102,12 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
                               const Eigen::Matrix<double, 15, 6>& by_bias) {
     // Ceres multiplies this by the manifold's PlusJacobian. The product is the derivative by the tangent.
     if (jacobians[0] != nullptr) {
-      Eigen::Map<CeresMatrix<15, 4>>{jacobians[0]} =
+      Eigen::Map<detail::CeresMatrix<15, 4>>{jacobians[0]} =
           by_state.leftCols<3>() * ParameterLayout<Sophus::SO3d>::parameters_to_tangent(at.state.R_WB);
     }
-    if (jacobians[1] != nullptr) Eigen::Map<CeresMatrix<15, 3>>{jacobians[1]} = by_state.middleCols<3>(3);
-    if (jacobians[2] != nullptr) Eigen::Map<CeresMatrix<15, 3>>{jacobians[2]} = by_state.rightCols<3>();
-    if (jacobians[3] != nullptr) Eigen::Map<CeresMatrix<15, 6>>{jacobians[3]} = by_bias;
+    if (jacobians[1] != nullptr) Eigen::Map<detail::CeresMatrix<15, 3>>{jacobians[1]} = by_state.middleCols<3>(3);
+    if (jacobians[2] != nullptr) Eigen::Map<detail::CeresMatrix<15, 3>>{jacobians[2]} = by_state.rightCols<3>();
+    if (jacobians[3] != nullptr) Eigen::Map<detail::CeresMatrix<15, 6>>{jacobians[3]} = by_bias;
   }
 
   Preintegrated imu_;

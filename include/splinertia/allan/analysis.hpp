@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <splinertia/allan/curve.hpp>
-#include <splinertia/allan/deviation_misfit.hpp>
+#include <splinertia/allan/detail/deviation_misfit.hpp>
 #include <splinertia/allan/identify.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/record/freezes.hpp>
@@ -34,7 +34,7 @@ template <typename Scalar>
 struct Analysis {
   Curve<Scalar> curve;  ///< overlapping Allan deviation
   NoiseEstimates<Scalar> noise;
-  std::vector<DeviationMisfit<Scalar>> misfits{};  ///< where curve and noise terms disagree
+  std::vector<detail::DeviationMisfit<Scalar>> misfits{};  ///< where curve and noise terms disagree
   std::vector<Step> steps{};
   std::vector<SampleSpan> freezes{};
   Stillness stillness{};  ///< in blocks of a second
@@ -63,6 +63,8 @@ struct Analysis {
   }
 };
 
+namespace detail {
+
 /// Marks terms as not detected, because their power has another cause. Only the upper limit remains.
 template <typename Scalar>
 void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
@@ -75,14 +77,16 @@ void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
   }
 }
 
+}  // namespace detail
+
 /// Curve, identification and checks of a signal. `signal` and `spectrum` are those of `samples`. In a log with steps or
 /// freezes no slow term is detected, because a step looks like a random walk. Throws as identify() and curve() do.
-template <Signal S, typename Scalar = ScalarOfSignal<S>>
+template <Signal S, typename Scalar = detail::ScalarOfSignal<S>>
 [[nodiscard]] Analysis<Scalar> analyse(const S& samples, const IntegratedSignal<Scalar>& signal,
-                                       const DifferenceSpectrum<Scalar>& spectrum,
+                                       const detail::DifferenceSpectrum<Scalar>& spectrum,
                                        const IdentifyOptions<Scalar>& options = {}) {
   Analysis<Scalar> result{.curve = curve<OverlappingAllanDeviation>(signal),
-                          .noise = Identification<Scalar>({spectrum}, options).estimates()};
+                          .noise = detail::Identification<Scalar>({spectrum}, options).estimates()};
   StepOptions steps{};
   if (const auto resolution = find_resolution(samples)) {
     result.resolution = static_cast<Scalar>(*resolution);
@@ -99,23 +103,23 @@ template <Signal S, typename Scalar = ScalarOfSignal<S>>
   const auto second = static_cast<double>((std::min)(signal.rate(), static_cast<Scalar>(most_block)));
   result.stillness =
       measure_stillness(samples, (std::max)(least_block, static_cast<std::int64_t>(std::llround(second))));
-  result.misfits = deviation_misfits(result.curve, result.noise);
+  result.misfits = detail::deviation_misfits(result.curve, result.noise);
   using enum NoiseTerm;
   if (!result.steps.empty() || !result.freezes.empty()) {
-    withhold(result.noise, {random_walk, bias_instability, rate_ramp, gauss_markov, warm_up});
+    detail::withhold(result.noise, {random_walk, bias_instability, rate_ramp, gauss_markov, warm_up});
   }
   if (result.adequacy() == Adequacy::inadequate) {
-    withhold(result.noise, {random_walk, bias_instability, quantization, rate_ramp, gauss_markov, warm_up});
+    detail::withhold(result.noise, {random_walk, bias_instability, quantization, rate_ramp, gauss_markov, warm_up});
   }
   return result;
 }
 
 /// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Signal S>
-[[nodiscard]] Analysis<ScalarOfSignal<S>> analyse(const S& samples, ScalarOfSignal<S> rate,
-                                                  const IdentifyOptions<ScalarOfSignal<S>>& options = {}) {
-  const IntegratedSignal<ScalarOfSignal<S>> signal(samples, rate);
-  return analyse(samples, signal, DifferenceSpectrum<ScalarOfSignal<S>>(signal), options);
+[[nodiscard]] Analysis<detail::ScalarOfSignal<S>> analyse(
+    const S& samples, detail::ScalarOfSignal<S> rate, const IdentifyOptions<detail::ScalarOfSignal<S>>& options = {}) {
+  const IntegratedSignal<detail::ScalarOfSignal<S>> signal(samples, rate);
+  return analyse(samples, signal, detail::DifferenceSpectrum<detail::ScalarOfSignal<S>>(signal), options);
 }
 
 }  // namespace splinertia::allan

@@ -46,23 +46,23 @@ struct Curve {
 
 template <typename Scalar>
 struct CurveOptions {
-  AveragingFactors factors = AveragingFactors::logarithmic();
-  Scalar confidence = one_sigma<Scalar>;
+  detail::AveragingFactors factors = detail::AveragingFactors::logarithmic();
+  Scalar confidence = detail::one_sigma<Scalar>;
   std::optional<int> alpha{};  ///< use this power law for all points instead of identifying it
   /// The default has the published degrees of freedom (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals
   /// are comparable with those of other tools. PhaseModel::sampled is exact for the samples of an IMU; it differs by up
   /// to 17 % below m = 30.
-  PhaseModel phase_model = PhaseModel::greenhall_riley;
+  detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley;
 };
 
 /// The equivalent degrees of freedom of a deviation at averaging factor m in a log of n samples.
 template <Deviation D>
-[[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, PhaseModel model) {
+[[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, detail::PhaseModel model) {
   if constexpr (std::same_as<D, TotalDeviation>) {
-    return total_degrees_of_freedom(alpha, m, n, model);
+    return detail::total_degrees_of_freedom(alpha, m, n, model);
   } else {
-    return equivalent_degrees_of_freedom({D::differences, D::modified}, alpha, m, D::terms(n, m),
-                                         D::overlapping ? 1 : m, model);
+    return detail::equivalent_degrees_of_freedom({D::differences, D::modified}, alpha, m, D::terms(n, m),
+                                                 D::overlapping ? 1 : m, model);
   }
 }
 
@@ -86,22 +86,22 @@ template <Deviation D, typename Scalar>
     const int converging = options.alpha ? alpha : (std::max)(alpha, steepest_power_law<D>);
     const auto freedom = static_cast<Scalar>(degrees_of_freedom<D>(converging, m, n, options.phase_model));
     result.points.push_back({m, static_cast<Scalar>(m) / signal.rate(), D::terms(n, m), values[j], alpha, freedom,
-                             deviation_interval(values[j], freedom, options.confidence)});
+                             detail::deviation_interval(values[j], freedom, options.confidence)});
   }
   return result;
 }
 
 /// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Deviation D, Signal S>
-[[nodiscard]] Curve<ScalarOfSignal<S>> curve(const S& signal, ScalarOfSignal<S> rate,
-                                             const CurveOptions<ScalarOfSignal<S>>& options = {}) {
-  return curve<D>(IntegratedSignal<ScalarOfSignal<S>>(signal, rate), options);
+[[nodiscard]] Curve<detail::ScalarOfSignal<S>> curve(const S& signal, detail::ScalarOfSignal<S> rate,
+                                                     const CurveOptions<detail::ScalarOfSignal<S>>& options = {}) {
+  return curve<D>(IntegratedSignal<detail::ScalarOfSignal<S>>(signal, rate), options);
 }
 
 /// The curve of the overlapping Allan deviation, the recommended one.
 template <Signal S>
-[[nodiscard]] Curve<ScalarOfSignal<S>> overlapping(const S& signal, ScalarOfSignal<S> rate,
-                                                   const CurveOptions<ScalarOfSignal<S>>& options = {}) {
+[[nodiscard]] Curve<detail::ScalarOfSignal<S>> overlapping(
+    const S& signal, detail::ScalarOfSignal<S> rate, const CurveOptions<detail::ScalarOfSignal<S>>& options = {}) {
   return curve<OverlappingAllanDeviation>(signal, rate, options);
 }
 

@@ -85,20 +85,20 @@ concept Deviation = requires(std::int64_t n, std::int64_t m) {
 template <Deviation D, typename Scalar>
 [[nodiscard]] std::vector<Scalar> deviations(const IntegratedSignal<Scalar>& signal,
                                              const std::vector<std::int64_t>& factors) {
-  (void)AveragingFactors::given(factors).up_to(D::largest_factor(signal.samples()));
+  (void)detail::AveragingFactors::given(factors).up_to(D::largest_factor(signal.samples()));
   const std::vector<Scalar>& x = signal.sums();
   std::vector<Scalar> result;
   if constexpr (D::overlapping && !D::modified) {
-    result = overlapping_difference_sums<D::differences>(x, factors);
+    result = detail::overlapping_difference_sums<D::differences>(x, factors);
   }
   for (std::size_t j = 0; j < factors.size(); ++j) {
     const auto m = static_cast<Scalar>(factors[j]);
     if constexpr (D::modified) {
-      result.push_back(modified_difference_sum(x, factors[j]) / (m * m));
+      result.push_back(detail::modified_difference_sum(x, factors[j]) / (m * m));
     } else if constexpr (!D::overlapping) {
-      result.push_back(separate_difference_sum<D::differences>(x, factors[j]));
+      result.push_back(detail::separate_difference_sum<D::differences>(x, factors[j]));
     } else if constexpr (std::same_as<D, TotalDeviation>) {
-      result[j] += reflected_difference_sum(x, factors[j]);
+      result[j] += detail::reflected_difference_sum(x, factors[j]);
     }
     const auto terms = static_cast<Scalar>(D::terms(signal.samples(), factors[j]));
     result[j] = std::sqrt(result[j] / (Scalar(D::divisor) * terms)) / m * signal.unit();

@@ -39,14 +39,15 @@ template <std::floating_point Scalar>
 [[nodiscard]] ExpectedAccuracy<Scalar> expected_accuracy(Scalar rate, std::type_identity_t<Scalar> duration,
                                                          std::type_identity_t<Scalar> N,
                                                          std::type_identity_t<Scalar> K) {
-  using Wide = AtLeastDouble<Scalar>;
+  using Wide = detail::AtLeastDouble<Scalar>;
   constexpr const char* name = "expected_accuracy";
-  require_positive(name, "rate", rate);
-  require_positive(name, "duration", duration);
-  require_positive(name, "N", N);
-  require_positive(name, "K", K);
+  splinertia::detail::require_positive(name, "rate", rate);
+  splinertia::detail::require_positive(name, "duration", duration);
+  splinertia::detail::require_positive(name, "N", N);
+  splinertia::detail::require_positive(name, "K", K);
   const Wide n = std::round(Wide(duration) * Wide(rate));
-  require(n >= Wide(3) && n <= Wide(std::int64_t{1} << 62), name, "duration", duration, "3 to 2^62 samples");
+  splinertia::detail::require(n >= Wide(3) && n <= Wide(std::int64_t{1} << 62), name, "duration", duration,
+                              "3 to 2^62 samples");
   // λ ~ sin² + corner². The shares are scaled by 1/(1 + corner²) and corner²/(1 + corner²), so that neither vanishes
   // for any corner.
   constexpr Wide smallest = (std::numeric_limits<Wide>::min)(), largest = (std::numeric_limits<Wide>::max)();
@@ -83,7 +84,7 @@ template <std::floating_point Scalar>
 [[nodiscard]] Scalar duration_for_random_walk(Scalar rate, std::type_identity_t<Scalar> N,
                                               std::type_identity_t<Scalar> K,
                                               std::type_identity_t<Scalar> relative_error) {
-  require_positive("duration_for_random_walk", "relative_error", relative_error);
+  splinertia::detail::require_positive("duration_for_random_walk", "relative_error", relative_error);
   const auto too_short = [&](Scalar duration) { return expected_accuracy(rate, duration, N, K).K > relative_error; };
   Scalar below = 3 / rate, above = below;
   for (int doublings = 0; too_short(above); ++doublings) {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/detail/chi_square.hpp>
-#include <splinertia/allan/detail/non_negative_solution.hpp>
+#include <splinertia/allan/detail/model/non_negative_solution.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/detail/refuse.hpp>
@@ -34,20 +34,21 @@ class CurveFit {
 
   explicit CurveFit(const Curve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
-      refuse<std::invalid_argument>("fit_curve: the curve's name is ", curve.name, ", expected adev or oadev");
+      splinertia::detail::refuse<std::invalid_argument>("fit_curve: the curve's name is ", curve.name,
+                                                        ", expected adev or oadev");
     }
     for (const auto& point : curve.points) {
-      require_positive("fit_curve", "tau", point.tau);
-      require_non_negative("fit_curve", "deviation", point.deviation);
-      require_positive("fit_curve", "degrees of freedom", point.degrees_of_freedom);
+      splinertia::detail::require_positive("fit_curve", "tau", point.tau);
+      splinertia::detail::require_non_negative("fit_curve", "deviation", point.deviation);
+      splinertia::detail::require_positive("fit_curve", "degrees of freedom", point.degrees_of_freedom);
       unit_ = (std::max)(unit_, point.deviation);
       longest_ = (std::max)(longest_, point.tau);
     }
     if (curve.points.size() < 2 || !(unit_ > 0)) {
-      refuse<std::invalid_argument>("fit_curve: ", curve.points.size(),
-                                    " points, expected at least 2, and a deviation above zero");
+      splinertia::detail::refuse<std::invalid_argument>("fit_curve: ", curve.points.size(),
+                                                        " points, expected at least 2, and a deviation above zero");
     }
-    require_positive("fit_curve", "rate", curve.rate);
+    splinertia::detail::require_positive("fit_curve", "rate", curve.rate);
     const auto count = static_cast<Eigen::Index>(curve.points.size());
     tau_.resize(count);
     basis_.resize(count, size);
@@ -56,7 +57,7 @@ class CurveFit {
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto& point = curve.points[static_cast<std::size_t>(i)];
       tau_[i] = point.tau;
-      for (const NoiseTerm term : standard_terms) {
+      for (const NoiseTerm term : detail::standard_terms) {
         basis_(i, static_cast<Eigen::Index>(term)) = allan_variance(term, point.tau);
       }
       variance_[i] = (point.deviation / unit_) * (point.deviation / unit_);
@@ -110,13 +111,13 @@ class CurveFit {
   /// One step of least squares with the weights of a model.
   [[nodiscard]] Vector solve(NoiseTerms terms, const Column& model) const {
     unsigned candidates = 0;
-    for (const NoiseTerm term : standard_terms) {
+    for (const NoiseTerm term : detail::standard_terms) {
       if (terms.has(term)) candidates |= 1u << static_cast<unsigned>(term);
     }
     const Column weights = freedom_ / (2 * model.square());
     const Matrix information = basis_.transpose() * weights.matrix().asDiagonal() * basis_;
     const Vector product = basis_.transpose() * (weights * variance_).matrix();
-    return non_negative_solution<Scalar, size>(information, product, candidates);
+    return detail::non_negative_solution<Scalar, size>(information, product, candidates);
   }
 
   /// Standard errors of weighted least squares with correlated errors, from (XᵀWX)⁻¹ XᵀW C WX (XᵀWX)⁻¹ over the terms
@@ -131,7 +132,7 @@ class CurveFit {
     Vector scale = information.diagonal().cwiseSqrt().cwiseInverse();
     information = scale.asDiagonal() * information * scale.asDiagonal();
     scatter = scale.asDiagonal() * scatter * scale.asDiagonal();
-    for (const NoiseTerm term : standard_terms) {
+    for (const NoiseTerm term : detail::standard_terms) {
       const auto j = static_cast<Eigen::Index>(term);
       if (terms.has(term)) continue;
       information.row(j).setZero();
@@ -187,11 +188,14 @@ class CurveFit {
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {
-  require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence, "a number between 0 and 1");
+  splinertia::detail::require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence,
+                              "a number between 0 and 1");
   for (const NoiseTerm term : {NoiseTerm::gauss_markov, NoiseTerm::warm_up}) candidates = candidates.without(term);
-  if (candidates.empty()) refuse<std::invalid_argument>("fit_curve: no candidates, expected a noise term");
+  if (candidates.empty())
+    splinertia::detail::refuse<std::invalid_argument>("fit_curve: no candidates, expected a noise term");
   const CurveFit<Scalar> fit(curve);
-  const Scalar detection = std::sqrt(chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
+  const Scalar detection =
+      std::sqrt(detail::chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
   NoiseTerms model = candidates;
   // In this order, so that of terms that explain the same power the random walk stays, which estimators model.
   for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::quantization, NoiseTerm::bias_instability,
@@ -204,7 +208,7 @@ template <typename Scalar>
   estimates.highest_frequency = curve.rate / 2;
   estimates.duration = static_cast<Scalar>(curve.samples) / curve.rate;
   estimates.descriptions.push_back({.terms = model});
-  for (const NoiseTerm term : standard_terms) {
+  for (const NoiseTerm term : detail::standard_terms) {
     if (!candidates.has(term)) continue;
     const auto j = static_cast<Eigen::Index>(term);
     const auto with_term = model.has(term) ? result : fit.fit(model.with(term));
@@ -214,15 +218,15 @@ template <typename Scalar>
     const auto within = [&](Scalar level) {
       if (estimate.detected) {
         const Scalar freedom = 2 * (theta / error) * (theta / error);
-        return deviation_interval(std::sqrt(theta) * fit.unit(), freedom, level);
+        return detail::deviation_interval(std::sqrt(theta) * fit.unit(), freedom, level);
       }
-      const Scalar half = std::sqrt(chi_square_quantile(level, Scalar(1))) * error;
+      const Scalar half = std::sqrt(detail::chi_square_quantile(level, Scalar(1))) * error;
       return Interval<Scalar>{Scalar(0), std::sqrt(theta + half) * fit.unit()};
     };
     estimate.value = std::sqrt(theta) * fit.unit();
     if (estimate.detected) estimates.descriptions.front().values[static_cast<std::size_t>(term)] = estimate.value;
     estimate.interval = within(confidence);
-    estimate.one_sigma = within(one_sigma<Scalar>);
+    estimate.one_sigma = within(detail::one_sigma<Scalar>);
   }
   return estimates;
 }

@@ -9,8 +9,8 @@
 #include <splinertia/allan/detail/band_selection.hpp>
 #include <splinertia/allan/detail/difference_spectrum.hpp>
 #include <splinertia/allan/detail/fit_bands.hpp>
-#include <splinertia/allan/detail/model_estimates.hpp>
-#include <splinertia/allan/detail/model_selection.hpp>
+#include <splinertia/allan/detail/model/model_estimates.hpp>
+#include <splinertia/allan/detail/model/model_selection.hpp>
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
@@ -34,6 +34,8 @@ struct IdentifyOptions {
   /// filter.
   bool exclude_misfits = true;
 };
+
+namespace detail {
 
 /// The steps of identify() below: identification of a model by maximum likelihood.
 template <typename Scalar>
@@ -91,20 +93,20 @@ class Identification {
   using Result = typename Fit::Result;
 
   [[nodiscard]] static const IdentifyOptions<Scalar>& checked(const IdentifyOptions<Scalar>& options) {
-    require(options.confidence > 0 && options.confidence < 1, "identify", "confidence", options.confidence,
-            "a number between 0 and 1");
-    require_non_negative("identify", "highest_frequency", options.highest_frequency);
+    splinertia::detail::require(options.confidence > 0 && options.confidence < 1, "identify", "confidence",
+                                options.confidence, "a number between 0 and 1");
+    splinertia::detail::require_non_negative("identify", "highest_frequency", options.highest_frequency);
     for (const auto& band : options.excluded) {
-      require_non_negative("identify", "excluded band", band.lower);
-      require(band.upper > band.lower, "identify", "upper end of an excluded band", band.upper,
-              "more than its lower end");
+      splinertia::detail::require_non_negative("identify", "excluded band", band.lower);
+      splinertia::detail::require(band.upper > band.lower, "identify", "upper end of an excluded band", band.upper,
+                                  "more than its lower end");
     }
     NoiseTerms alone = options.candidates;
     for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::gauss_markov, NoiseTerm::warm_up}) {
       alone = alone.without(term);
     }
     if (alone.empty()) {
-      refuse<std::invalid_argument>(
+      splinertia::detail::refuse<std::invalid_argument>(
           "identify: candidates, expected at least one of white noise, random walk, bias instability and "
           "quantization noise");
     }
@@ -114,13 +116,14 @@ class Identification {
   void require_enough() const {
     const Scalar first = spectrum_.bins().front().frequency;
     if (options_.highest_frequency > 0 && !(options_.highest_frequency > 8 * first)) {
-      refuse<std::invalid_argument>("identify: highest_frequency is ", options_.highest_frequency,
-                                    " Hz, expected more than eight times the lowest frequency of the spectrum, ", first,
-                                    " Hz");
+      splinertia::detail::refuse<std::invalid_argument>(
+          "identify: highest_frequency is ", options_.highest_frequency,
+          " Hz, expected more than eight times the lowest frequency of the spectrum, ", first, " Hz");
     }
     if (!options_.excluded.empty() && !enough()) {
-      refuse<std::invalid_argument>("identify: the excluded bands leave ", bands_.count(), " of ",
-                                    spectrum_.bins().size(), " bins of the spectrum, expected at least ", fewest);
+      splinertia::detail::refuse<std::invalid_argument>("identify: the excluded bands leave ", bands_.count(), " of ",
+                                                        spectrum_.bins().size(),
+                                                        " bins of the spectrum, expected at least ", fewest);
     }
   }
 
@@ -193,6 +196,8 @@ class Identification {
   Scalar probability_{};
 };
 
+}  // namespace detail
+
 /// Estimates the noise of a static log: N, K, B, Q, R, a Gauss–Markov bias and a warm-up with intervals, or upper
 /// limits of terms that are not detected. Maximises the likelihood of the signal's differences, which is exact for
 /// white noise and random walk. The intervals are profile-likelihood intervals over all equally good descriptions of
@@ -200,30 +205,31 @@ class Identification {
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {
-  return Identification<Scalar>({DifferenceSpectrum<Scalar>(signal)}, options).estimates();
+  return detail::Identification<Scalar>({detail::DifferenceSpectrum<Scalar>(signal)}, options).estimates();
 }
 
 /// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Signal S>
-[[nodiscard]] NoiseEstimates<ScalarOfSignal<S>> identify(const S& signal, ScalarOfSignal<S> rate,
-                                                         const IdentifyOptions<ScalarOfSignal<S>>& options = {}) {
-  return identify(IntegratedSignal<ScalarOfSignal<S>>(signal, rate), options);
+[[nodiscard]] NoiseEstimates<detail::ScalarOfSignal<S>> identify(
+    const S& signal, detail::ScalarOfSignal<S> rate, const IdentifyOptions<detail::ScalarOfSignal<S>>& options = {}) {
+  return identify(IntegratedSignal<detail::ScalarOfSignal<S>>(signal, rate), options);
 }
 
 /// One estimate for all axes of a sensor that have the same noise, from their pooled spectra. Each axis has its own
 /// ramp or warm-up; R and W are root mean squares over the axes. Throws std::invalid_argument for no axes, axes that
 /// differ in rate or number of samples, and options out of their range.
 template <typename Scalar>
-[[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<DifferenceSpectrum<Scalar>>& axes,
+[[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<detail::DifferenceSpectrum<Scalar>>& axes,
                                                      const IdentifyOptions<Scalar>& options = {}) {
-  if (axes.empty()) refuse<std::invalid_argument>("identify_pooled: no axes");
+  if (axes.empty()) splinertia::detail::refuse<std::invalid_argument>("identify_pooled: no axes");
   for (const auto& axis : axes) {
     if (axis.rate() != axes[0].rate() || axis.samples() != axes[0].samples()) {
-      refuse<std::invalid_argument>("identify_pooled: an axis has ", axis.samples(), " samples at ", axis.rate(),
-                                    " Hz, expected ", axes[0].samples(), " at ", axes[0].rate(), " Hz");
+      splinertia::detail::refuse<std::invalid_argument>("identify_pooled: an axis has ", axis.samples(), " samples at ",
+                                                        axis.rate(), " Hz, expected ", axes[0].samples(), " at ",
+                                                        axes[0].rate(), " Hz");
     }
   }
-  return Identification<Scalar>(axes, options).estimates();
+  return detail::Identification<Scalar>(axes, options).estimates();
 }
 
 }  // namespace splinertia::allan

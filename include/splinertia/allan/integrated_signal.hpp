@@ -29,11 +29,15 @@ concept Signal = requires(const S& signal) {
   { std::begin(signal) != std::end(signal) } -> std::convertible_to<bool>;
 };
 
+namespace detail {
+
 /// The scalar type of the analysis of a signal: long double for long double samples, otherwise double.
 template <Signal S>
 using ScalarOfSignal =
     std::conditional_t<std::same_as<std::iter_value_t<decltype(std::begin(std::declval<const S&>()))>, long double>,
                        long double, double>;
+
+}  // namespace detail
 
 /// The running sums of a signal y_0 … y_{n−1} about its mean. All deviations are differences of these sums.
 /// x_0 = 0, x_{i+1} = x_i + (y_i − mean); an average over m samples is (x_{i+m} − x_i)/m + mean.
@@ -56,7 +60,7 @@ class IntegratedSignal {
     const Scalar first = sums_[1];
     if (std::all_of(sums_.begin() + 1, sums_.end(), [&](Scalar y) { return y == first; })) refuse_constant(first);
     const Scalar mean = scaled_sum() / n;
-    CompensatedSum<Scalar> x;
+    detail::CompensatedSum<Scalar> x;
     for (auto y = sums_.begin() + 1; y != sums_.end(); ++y) {
       x.add(*y * per_unit_ - mean);
       *y = x.value();
@@ -78,7 +82,8 @@ class IntegratedSignal {
       largest = (std::max)(largest, std::abs(x));
     }
     result.unit_ *= rate;
-    require(is_finite(result.unit_), "Allan analysis", "rate", rate, "one at which the rate signal does not overflow");
+    splinertia::detail::require(splinertia::detail::is_finite(result.unit_), "Allan analysis", "rate", rate,
+                                "one at which the rate signal does not overflow");
     result.mean_ = step * result.unit_;
     // A straight line, to within the rounding of its values.
     if (largest <= 8 * std::numeric_limits<Scalar>::epsilon()) refuse_constant(result.mean_);
@@ -102,16 +107,18 @@ class IntegratedSignal {
   /// Stores the values in sums_ after this many zeros, checks them, sets the unit and returns their number.
   template <Signal S>
   std::size_t read(const S& values, std::ptrdiff_t fewest, std::size_t zeros) {
-    require_positive("Allan analysis", "rate", rate_);
+    splinertia::detail::require_positive("Allan analysis", "rate", rate_);
     const std::ptrdiff_t count = std::distance(std::begin(values), std::end(values));
     if (count < fewest) {
-      refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ", fewest);
+      splinertia::detail::refuse<std::invalid_argument>("Allan analysis: ", count, " values, expected at least ",
+                                                        fewest);
     }
     const auto n = static_cast<std::size_t>(count);
     // Identification tries times up to max(64, 8 n)/rate (model_likelihood.hpp) and forms 2 n·rate for its frequencies.
     const Scalar most_intervals = 64 * static_cast<Scalar>(n);
-    require(is_finite(most_intervals / rate_) && is_finite(most_intervals * rate_), "Allan analysis", "rate", rate_,
-            "one at which the times and frequencies of the signal are representable");
+    splinertia::detail::require(
+        splinertia::detail::is_finite(most_intervals / rate_) && splinertia::detail::is_finite(most_intervals * rate_),
+        "Allan analysis", "rate", rate_, "one at which the times and frequencies of the signal are representable");
     sums_.reserve(zeros + n);
     sums_.assign(zeros, Scalar(0));
     sums_.insert(sums_.end(), std::begin(values), std::end(values));
@@ -132,7 +139,7 @@ class IntegratedSignal {
   /// Σ y in units of unit(), accurate to a few eps: a compensated sum of plain sums over short pieces.
   [[nodiscard]] Scalar scaled_sum() const {
     constexpr std::size_t piece = 256;
-    CompensatedSum<Scalar> sum;
+    detail::CompensatedSum<Scalar> sum;
     for (std::size_t begin = 0; begin < sums_.size(); begin += piece) {
       const auto value = [y = sums_.data() + begin, scale = per_unit_](std::size_t i) { return y[i] * scale; };
       sum.add(reduce((std::min)(piece, sums_.size() - begin), value, std::plus<Scalar>()));
@@ -158,15 +165,16 @@ class IntegratedSignal {
 
   template <Signal S>
   [[noreturn]] static void refuse_not_finite(const S& values) {
-    std::int64_t place = 0;
+    std::int64_t index = 0;
     auto value = std::begin(values);
-    for (; is_finite(static_cast<Scalar>(*value)); ++value) ++place;
-    refuse<std::invalid_argument>("Allan analysis: value ", place, " is ", *value, ", expected a finite number");
+    for (; splinertia::detail::is_finite(static_cast<Scalar>(*value)); ++value) ++index;
+    splinertia::detail::refuse<std::invalid_argument>("Allan analysis: value ", index, " is ", *value,
+                                                      ", expected a finite number");
   }
 
   [[noreturn]] static void refuse_constant(Scalar value) {
-    refuse<std::invalid_argument>("Allan analysis: the signal is constant (", value,
-                                  "): a sensor that is stuck, or no noise at all");
+    splinertia::detail::refuse<std::invalid_argument>("Allan analysis: the signal is constant (", value,
+                                                      "): a sensor that is stuck, or no noise at all");
   }
 
   Scalar rate_;
@@ -177,6 +185,6 @@ class IntegratedSignal {
 };
 
 template <Signal S, typename Rate>
-IntegratedSignal(const S&, Rate) -> IntegratedSignal<ScalarOfSignal<S>>;
+IntegratedSignal(const S&, Rate) -> IntegratedSignal<detail::ScalarOfSignal<S>>;
 
 }  // namespace splinertia::allan

@@ -49,6 +49,8 @@ struct BandFit {
   Scalar standard_error{};         ///< of the ratio, if the model is true
 };
 
+namespace detail {
+
 /// A point of the spectrum of a log, with the power that the best description expects there.
 template <typename Scalar>
 struct SpectrumPoint {
@@ -58,6 +60,8 @@ struct SpectrumPoint {
   Scalar count{};      ///< degrees of freedom of the square of `density`
   bool used{};         ///< false in bands that were left out
 };
+
+}  // namespace detail
 
 /// One model that describes a log.
 template <typename Scalar>
@@ -116,19 +120,20 @@ struct NoiseEstimates {
     return *all[static_cast<std::size_t>(term)];
   }
 
-  std::vector<SpectrumPoint<Scalar>> spectrum;  ///< about eight per octave, lowest first; empty from fit_curve()
+  std::vector<detail::SpectrumPoint<Scalar>>
+      spectrum;  ///< about eight per octave, lowest first; empty from fit_curve()
 
   /// The Allan deviation of the best description at averaging time tau [s].
   [[nodiscard]] Scalar deviation(const Scalar& tau) const {
     Scalar variance = 0;
     if (descriptions.empty()) return variance;
     const Description<Scalar>& best = descriptions.front();
-    for (const NoiseTerm term : standard_terms) {
+    for (const NoiseTerm term : detail::standard_terms) {
       variance += best.value(term) * best.value(term) * allan_variance(term, tau);
     }
     const Scalar bias = best.value(NoiseTerm::gauss_markov), drift = best.value(NoiseTerm::warm_up);
-    if (bias > 0) variance += bias * bias * gauss_markov_allan_variance(tau, best.correlation_time);
-    if (drift > 0) variance += drift * drift * warm_up_allan_variance(tau, best.decay_time, duration);
+    if (bias > 0) variance += bias * bias * detail::gauss_markov_allan_variance(tau, best.correlation_time);
+    if (drift > 0) variance += drift * drift * detail::warm_up_allan_variance(tau, best.decay_time, duration);
     return std::sqrt(variance);
   }
 };

@@ -23,10 +23,14 @@ enum class NoiseTerm : std::size_t {
   warm_up            ///< W, height A of a drift A·exp(−t/T) that settles, u
 };
 
+namespace detail {
+
 /// The five terms of IEEE Std 952. Each has a single coefficient.
 inline constexpr std::array<NoiseTerm, 5> standard_terms{NoiseTerm::white, NoiseTerm::random_walk,
                                                          NoiseTerm::bias_instability, NoiseTerm::quantization,
                                                          NoiseTerm::rate_ramp};
+
+}  // namespace detail
 
 inline constexpr std::array<NoiseTerm, 7> noise_terms{
     NoiseTerm::white,     NoiseTerm::random_walk,  NoiseTerm::bias_instability, NoiseTerm::quantization,
@@ -81,7 +85,7 @@ template <typename Scalar>
     case NoiseTerm::random_walk:
       return tau / 3;
     case NoiseTerm::bias_instability: {
-      constexpr auto floor = allan_floor_over_bias_instability<Scalar>();
+      constexpr auto floor = splinertia::detail::allan_floor_over_bias_instability<Scalar>();
       return floor * floor;
     }
     case NoiseTerm::quantization:
@@ -94,6 +98,8 @@ template <typename Scalar>
   }
   return Scalar(0);
 }
+
+namespace detail {
 
 /// Allan variance [u²] of a Gauss–Markov bias with standard deviation 1 u and this correlation time [s], at averaging
 /// time tau [s]: 2/x·(1 − (3 − 4e^(−x) + e^(−2x))/(2x)) with x = tau/correlation_time. Source: IEEE Std 952-1997,
@@ -119,5 +125,7 @@ template <typename Scalar>
   const Scalar mean = places > 0 ? -std::expm1(-places) / places : Scalar(1);
   return difference * difference / 2 * mean;
 }
+
+}  // namespace detail
 
 }  // namespace splinertia::allan

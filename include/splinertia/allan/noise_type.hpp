@@ -11,7 +11,9 @@
 
 namespace splinertia::allan {
 
-/// noise_type() needs at least fewest_averages averages and reads only the first most_averages.
+namespace detail {
+
+/// noise_type() needs at least fewest_averages averages and reads only the first detail::most_averages.
 inline constexpr std::int64_t fewest_averages = 30, most_averages = std::int64_t{1} << 16;
 
 /// The exponent alpha of n averages that were differenced d = 0, 1 or 2 times; nothing if they must be differenced once
@@ -28,6 +30,8 @@ template <typename Scalar>
   return (std::max)(static_cast<int>(-std::lround(2 * delta)) - 2 * d, steepest);  // a smooth drift would be steeper
 }
 
+}  // namespace detail
+
 /// The power law f^alpha of the spectrum of averages over m samples, from their autocorrelation at lag 1 (Riley and
 /// Greenhall, "Power law noise identification using the lag 1 autocorrelation", EFTF 2004). For an IMU:
 ///
@@ -43,10 +47,10 @@ template <typename Scalar>
 /// Of more than 2¹⁶ averages only the first 2¹⁶ are read: the standard error of the slope is then below 0.02.
 template <typename Scalar>
 [[nodiscard]] int noise_type(const IntegratedSignal<Scalar>& signal, std::int64_t m) {
-  const std::int64_t longest = signal.samples() / fewest_averages;
+  const std::int64_t longest = signal.samples() / detail::fewest_averages;
   if (longest < 1) return 0;
   if (m > longest) return (std::min)(noise_type(signal, longest), 0);
-  const std::int64_t count = (std::min)(signal.samples() / m, most_averages);
+  const std::int64_t count = (std::min)(signal.samples() / m, detail::most_averages);
   std::vector<Scalar> z(static_cast<std::size_t>(count));
   const auto& x = signal.sums();
   for (std::size_t i = 0; i < z.size(); ++i) {
@@ -63,7 +67,7 @@ template <typename Scalar>
       lag0 += (z[i] - mean) * (z[i] - mean);
       if (i > 0) lag1 += (z[i] - mean) * (z[i - 1] - mean);
     }
-    if (const auto alpha = power_law(lag0, lag1, n, d)) return *alpha;
+    if (const auto alpha = detail::power_law(lag0, lag1, n, d)) return *alpha;
     for (std::size_t i = 0; i + 1 < z.size(); ++i) z[i] = z[i + 1] - z[i];
     z.pop_back();
   }

@@ -35,7 +35,7 @@ class StreamingNoiseType {
  public:
   /// Adds the next average, or the next sum: both have the same power law.
   void add(Scalar z) {
-    if (count() == most_averages) return;
+    if (count() == detail::most_averages) return;
     const Scalar difference = z - last_, second = difference - last_difference_;
     if (count() > 1) lags_[2].add(second);
     if (count() > 0) lags_[1].add(difference);
@@ -49,7 +49,8 @@ class StreamingNoiseType {
   [[nodiscard]] int alpha() const {
     for (int d = 0;; ++d) {
       const Lags& lags = lags_[static_cast<std::size_t>(d)];
-      if (const auto alpha = power_law(lags.lag0(), lags.lag1(), static_cast<Scalar>(lags.count), d)) return *alpha;
+      if (const auto alpha = detail::power_law(lags.lag0(), lags.lag1(), static_cast<Scalar>(lags.count), d))
+        return *alpha;
     }
   }
 
@@ -102,9 +103,10 @@ class StreamingAllanDeviation {
   explicit StreamingAllanDeviation(Scalar rate, std::optional<Scalar> offset = {},
                                    std::int64_t largest_factor = (std::numeric_limits<std::int64_t>::max)())
       : rate_(rate), largest_factor_(largest_factor), offset_(offset) {
-    require_positive("StreamingAllanDeviation", "rate", rate);
-    if (offset) require_finite("StreamingAllanDeviation", "offset", *offset);
-    require(largest_factor >= 1, "StreamingAllanDeviation", "largest_factor", largest_factor, "an integer >= 1");
+    splinertia::detail::require_positive("StreamingAllanDeviation", "rate", rate);
+    if (offset) splinertia::detail::require_finite("StreamingAllanDeviation", "offset", *offset);
+    splinertia::detail::require(largest_factor >= 1, "StreamingAllanDeviation", "largest_factor", largest_factor,
+                                "an integer >= 1");
   }
 
   /// Adds the next sample. Throws std::invalid_argument, and changes nothing, if it is not finite or so far from the
@@ -132,32 +134,32 @@ class StreamingAllanDeviation {
 
   /// The curve of the samples so far; for the parameters see CurveOptions. Omits factors that have no term yet. Throws
   /// std::invalid_argument for fewer than 3 samples, a constant signal, and parameters out of range.
-  [[nodiscard]] Curve<Scalar> curve(Scalar confidence = one_sigma<Scalar>, std::optional<int> alpha = {},
-                                    PhaseModel phase_model = PhaseModel::greenhall_riley) const {
+  [[nodiscard]] Curve<Scalar> curve(Scalar confidence = detail::one_sigma<Scalar>, std::optional<int> alpha = {},
+                                    detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley) const {
     using Deviation = OverlappingAllanDeviation;
     if (samples_ < 3) {
-      refuse<std::invalid_argument>("Allan analysis: ", samples_, " values, expected at least 3");
+      splinertia::detail::refuse<std::invalid_argument>("Allan analysis: ", samples_, " values, expected at least 3");
     }
     if (constant_) {
-      refuse<std::invalid_argument>("Allan analysis: the signal is constant (", *offset_ + first_,
-                                    "): a sensor that is stuck, or no noise at all");
+      splinertia::detail::refuse<std::invalid_argument>("Allan analysis: the signal is constant (", *offset_ + first_,
+                                                        "): a sensor that is stuck, or no noise at all");
     }
     const Scalar mean = *offset_ + sum_.value() / static_cast<Scalar>(samples_);
     Curve<Scalar> result{std::string(Deviation::name), rate_, samples_, mean, confidence, {}};
     int identified = 0;
     for (std::size_t octave = 0; octave < octaves(); ++octave) {
       const std::int64_t m = std::int64_t{1} << octave, stride = std::max<std::int64_t>(1, m / window);
-      const std::int64_t terms = number_of_terms({}, m, samples_ + 1, stride);
+      const std::int64_t terms = detail::number_of_terms({}, m, samples_ + 1, stride);
       if (terms < 1 || m > largest_factor_) break;
       const Octave& sums = octave < steps ? first_octaves_[octave] : levels_[octave - steps + 1].octave;
-      const bool enough = sums.noise_type.count() >= fewest_averages;
+      const bool enough = sums.noise_type.count() >= detail::fewest_averages;
       identified = enough ? sums.noise_type.alpha() : (std::min)(identified, 0);
-      const auto freedom = static_cast<Scalar>(equivalent_degrees_of_freedom(
+      const auto freedom = static_cast<Scalar>(detail::equivalent_degrees_of_freedom(
           {}, alpha.value_or((std::max)(identified, steepest_power_law<Deviation>)), m, terms, stride, phase_model));
       const auto factor = static_cast<Scalar>(m);
       const Scalar deviation = std::sqrt(sums.squares.value() / static_cast<Scalar>(2 * terms)) / factor;
       result.points.push_back({m, factor / rate_, terms, deviation, alpha.value_or(identified), freedom,
-                               deviation_interval(deviation, freedom, confidence)});
+                               detail::deviation_interval(deviation, freedom, confidence)});
     }
     return result;
   }
@@ -167,7 +169,7 @@ class StreamingAllanDeviation {
   static constexpr std::size_t steps = 5;     ///< number of block counts 1, 2, 4, 8, 16 (window)
 
   struct Octave {
-    CompensatedSum<Scalar> squares;
+    detail::CompensatedSum<Scalar> squares;
     StreamingNoiseType<Scalar> noise_type;
   };
 
@@ -187,9 +189,9 @@ class StreamingAllanDeviation {
     Octave* octave = shortest == 1 ? first_octaves_.data() : &levels_[level].octave;
     Scalar sum = block, pair = block;
     for (std::uint64_t w = 1; w <= window; w *= 2) {
-      Scalar& place = past[w + ((blocks - 1) & (w - 1))];
-      const Scalar before = place;
-      place = sum;
+      Scalar& slot = past[w + ((blocks - 1) & (w - 1))];
+      const Scalar before = slot;
+      slot = sum;
       if (w >= shortest) {
         const Scalar difference = sum - before;
         if (blocks >= 2 * w) octave->squares.add(difference * difference);
@@ -213,8 +215,8 @@ class StreamingAllanDeviation {
 
   template <typename Sample>
   [[noreturn]] void refuse_sample(const Sample& sample) const {
-    refuse<std::invalid_argument>("Allan analysis: value ", samples_, " is ", sample, ", expected a number within ",
-                                  largest_value, " of the offset");
+    splinertia::detail::refuse<std::invalid_argument>("Allan analysis: value ", samples_, " is ", sample,
+                                                      ", expected a number within ", largest_value, " of the offset");
   }
 
   /// 2⁴³¹ for double: n squares of 2 m times this value are representable for m and n up to 2⁵³.
@@ -230,7 +232,7 @@ class StreamingAllanDeviation {
   std::int64_t samples_ = 0;
   Scalar first_{0};
   bool constant_ = true;
-  CompensatedSum<Scalar> sum_;
+  detail::CompensatedSum<Scalar> sum_;
   std::array<Octave, steps> first_octaves_;
   std::vector<Level> levels_ = std::vector<Level>(1);
 };

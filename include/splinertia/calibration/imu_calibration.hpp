@@ -32,6 +32,8 @@ template <Pose G, int D>
   return reading;
 }
 
+namespace detail {
+
 /// The time derivative of that reading: [gyro; accel], rad/s² and m/s³.
 template <Pose G>
 [[nodiscard]] Eigen::Matrix<ScalarOf<G>, 6, 1> predicted_imu_rate(const Motion<G, 3>& m,
@@ -58,5 +60,7 @@ template <Pose G>
   rate.template tail<3>() = rotate_inverse<Scalar>(q_BI, force_rate);
   return rate;
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -9,6 +9,7 @@
 #include <ranges>
 #include <splinertia/calibration/detail/inertial_term.hpp>
 #include <splinertia/calibration/imu_calibration.hpp>
+#include <splinertia/calibration/inertial_options.hpp>
 #include <splinertia/spline/fit/fit.hpp>
 #include <tuple>
 #include <utility>
@@ -38,6 +39,8 @@ template <typename Curve>
 struct InertialFit : Fit<Curve> {
   CalibratedImu<typename Curve::Scalar> imu;
 };
+
+namespace detail {
 
 /// When to stop. With noise each residual contributes about 1 to the cost, beside which a change of 1e-10 of the cost
 /// is negligible. Without noise only rounding is left, which the absolute limit allows for.
@@ -74,9 +77,10 @@ class InertialModel {
     return cost;
   }
 
-  [[nodiscard]] InertialState<Curve> moved(const InertialState<Curve>& state,
-                                           const typename InertialSystem<Curve>::Vector& step) const {
-    return {splinertia::moved(state.curve, step.blocks), samples_.moved(state.calibration, step.border)};
+  [[nodiscard]] InertialState<Curve> retracted(const InertialState<Curve>& state,
+                                               const typename InertialSystem<Curve>::Vector& step) const {
+    return {splinertia::detail::retracted(state.curve, step.blocks),
+            samples_.retracted(state.calibration, step.border)};
   }
 
  private:
@@ -110,9 +114,9 @@ class CalibrationModel {
     return samples_.add(curve_, calibration, border);
   }
 
-  [[nodiscard]] Calibration moved(const Calibration& calibration,
-                                  const typename InertialSystem<Curve>::Vector& step) const {
-    return samples_.moved(calibration, step.border);
+  [[nodiscard]] Calibration retracted(const Calibration& calibration,
+                                      const typename InertialSystem<Curve>::Vector& step) const {
+    return samples_.retracted(calibration, step.border);
   }
 
  private:
@@ -166,6 +170,8 @@ template <typename Curve>
           minimum.converged};
 }
 
+}  // namespace detail
+
 /// Estimates the calibration of an IMU from its samples along a known curve. The residuals show how well the curve, and
 /// a simulation along it, matches the real sensor.
 ///
@@ -181,13 +187,13 @@ template <typename Curve, std::ranges::forward_range Samples>
 [[nodiscard]] CalibratedImu<typename Curve::Scalar> calibrate_imu(
     const Curve& curve, const Samples& samples, const InertialOptions<typename Curve::Scalar>& options,
     const std::vector<FitGap<typename Curve::Time>>& gaps = {}) {
-  const InertialTerm<Curve> term(samples, options, curve, gaps);
-  InertialSystem<Curve> system(0);
-  BandedCholesky<InertialSystem<Curve>> factor;
+  const detail::InertialTerm<Curve> term(samples, options, curve, gaps);
+  detail::InertialSystem<Curve> system(0);
+  detail::BandedCholesky<detail::InertialSystem<Curve>> factor;
   auto calibration = options.calibration;
-  const auto minimum = minimize(CalibrationModel<Curve>(term, curve), calibration, system, factor,
-                                inertial_convergence<typename Curve::Scalar>(term.size(), 100));
-  return estimated_calibration(term, curve, calibration, system, factor, minimum);
+  const auto minimum = detail::minimize(detail::CalibrationModel<Curve>(term, curve), calibration, system, factor,
+                                        detail::inertial_convergence<typename Curve::Scalar>(term.size(), 100));
+  return detail::estimated_calibration(term, curve, calibration, system, factor, minimum);
 }
 
 /// The same for a curve that was fitted to poses: samples inside its gaps are left out.
@@ -206,22 +212,22 @@ template <typename Curve, std::ranges::forward_range Samples>
 /// The search starts from fit(poses, options) or, if that has the lower cost, from the poses at their times.
 ///
 /// Memory and time are linear in the number of poses and samples. Throws as fit() and calibrate_imu() do.
-template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples>
+template <typename Curve, detail::StampedPoses Poses, std::ranges::forward_range Samples>
   requires Pose<typename Curve::Group> && LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] InertialFit<Curve> inertial_fit(const Poses& poses, const Samples& samples,
                                               const FitOptions<Curve>& options,
                                               const InertialOptions<typename Curve::Scalar>& imu) {
   using Scalar = typename Curve::Scalar;
-  FitProblem<Curve> problem(poses, options);
+  detail::FitProblem<Curve> problem(poses, options);
   const Curve unfitted = problem.curve();
   problem.solve();
-  const InertialTerm<Curve> samples_term(samples, imu, problem.curve());
-  const PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
-  const SmoothnessTerms<Curve> smoothness = problem.smoothness_terms(samples_term.times());
-  const InertialModel model(samples_term, pose_term, smoothness);
-  InertialSystem<Curve> system(unfitted.control_points().size());
+  const detail::InertialTerm<Curve> samples_term(samples, imu, problem.curve());
+  const detail::PoseTerm<Curve> pose_term = problem.pose_term(options.loss);
+  const detail::SmoothnessTerms<Curve> smoothness = problem.smoothness_terms(samples_term.times());
+  const detail::InertialModel model(samples_term, pose_term, smoothness);
+  detail::InertialSystem<Curve> system(unfitted.control_points().size());
   const auto start = [&](const Curve& curve) {
-    InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu, problem.gaps()).calibration};
+    detail::InertialState<Curve> state{curve, calibrate_imu(curve, samples, imu, problem.gaps()).calibration};
     system.clear();
     const Scalar cost = model.linearize(state, system);
     return std::pair(cost, std::move(state));
@@ -231,15 +237,16 @@ template <typename Curve, StampedPoses Poses, std::ranges::forward_range Samples
   auto [cost_of_unfitted, unfitted_state] = start(unfitted);
   if (cost_of_unfitted < cost) state = std::move(unfitted_state);
   system.clear();
-  BandedCholesky<InertialSystem<Curve>> factor;
-  const auto minimum = minimize(model, state, system, factor,
-                                inertial_convergence<Scalar>(samples_term.size(), options.most_iterations));
-  auto calibrated = estimated_calibration(samples_term, state.curve, state.calibration, system, factor, minimum);
+  detail::BandedCholesky<detail::InertialSystem<Curve>> factor;
+  const auto minimum = detail::minimize(
+      model, state, system, factor, detail::inertial_convergence<Scalar>(samples_term.size(), options.most_iterations));
+  auto calibrated =
+      detail::estimated_calibration(samples_term, state.curve, state.calibration, system, factor, minimum);
   InertialFit<Curve> result{std::move(problem).report(std::move(state.curve)), std::move(calibrated)};
   result.iterations += minimum.iterations;
   result.converged = minimum.converged;
-  result.condition =
-      factor.compute(system, Scalar(0)) ? condition_estimate(system, factor) : std::numeric_limits<Scalar>::infinity();
+  result.condition = factor.compute(system, Scalar(0)) ? detail::condition_estimate(system, factor)
+                                                       : std::numeric_limits<Scalar>::infinity();
   return result;
 }
 

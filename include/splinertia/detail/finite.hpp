@@ -14,7 +14,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Whether comparisons with NaN are unreliable, because this file is compiled with -ffast-math or a part of it.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
@@ -68,4 +68,4 @@ template <typename Matrix>
   return true;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -6,7 +6,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// f(), with all calls inlined, at every depth.
 [[gnu::flatten]] inline auto call_flattened(const auto& f) { return f(); }
@@ -24,4 +24,4 @@ inline auto flattened(const auto& f) {
   }
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -11,6 +11,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// A SIMD pack: N numbers (lanes) that go through the same arithmetic at once. It can be the Scalar of every template
 /// of this library that never branches on one; each operation is one SIMD instruction or a few. It has no comparisons,
 /// so that code which would branch on it does not compile.
@@ -19,7 +21,7 @@ namespace splinertia {
 /// target has; there are no intrinsics. Width and number of the vectors are part of the type's name. Functions compiled
 /// for different targets are therefore different functions to the linker.
 template <typename T, int N, int Bytes>
-struct Lanes {
+struct SimdPack {
   using Vector [[gnu::vector_size(Bytes)]] = T;
   static constexpr int size = N;
   static constexpr int width = Bytes / static_cast<int>(sizeof(T));
@@ -28,61 +30,61 @@ struct Lanes {
 
   Vector vector[static_cast<std::size_t>(vectors)];
 
-  Lanes() = default;  // uninitialised, as T is
+  SimdPack() = default;  // uninitialised, as T is
   /// x in all lanes; −0 stays −0.
-  Lanes(T x) {
+  SimdPack(T x) {
     for (Vector& v : vector) v = x - Vector{};
   }
 
   /// The N numbers from p on. p need not be aligned.
-  [[nodiscard]] static Lanes load(const T* p) {
-    Lanes x;
+  [[nodiscard]] static SimdPack load(const T* p) {
+    SimdPack x;
     std::memcpy(x.vector, p, sizeof(x.vector));
     return x;
   }
   void store(T* p) const { std::memcpy(p, vector, sizeof(vector)); }
 
   /// 0, 1, …, N − 1.
-  [[nodiscard]] static Lanes ramp() {
-    Lanes x(T(0));
+  [[nodiscard]] static SimdPack ramp() {
+    SimdPack x(T(0));
     for (int i = 0; i < N; ++i) x.vector[i / width][i % width] = static_cast<T>(i);
     return x;
   }
 
-  Lanes& operator+=(const Lanes& b) {
+  SimdPack& operator+=(const SimdPack& b) {
     for (int i = 0; i < vectors; ++i) vector[i] += b.vector[i];
     return *this;
   }
-  Lanes& operator-=(const Lanes& b) {
+  SimdPack& operator-=(const SimdPack& b) {
     for (int i = 0; i < vectors; ++i) vector[i] -= b.vector[i];
     return *this;
   }
-  Lanes& operator*=(const Lanes& b) {
+  SimdPack& operator*=(const SimdPack& b) {
     for (int i = 0; i < vectors; ++i) vector[i] *= b.vector[i];
     return *this;
   }
-  Lanes& operator/=(const Lanes& b) {
+  SimdPack& operator/=(const SimdPack& b) {
     for (int i = 0; i < vectors; ++i) vector[i] /= b.vector[i];
     return *this;
   }
-  friend Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
-  friend Lanes operator-(Lanes a, const Lanes& b) { return a -= b; }
-  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
-  friend Lanes operator/(Lanes a, const Lanes& b) { return a /= b; }
-  friend Lanes operator-(Lanes a) {
+  friend SimdPack operator+(SimdPack a, const SimdPack& b) { return a += b; }
+  friend SimdPack operator-(SimdPack a, const SimdPack& b) { return a -= b; }
+  friend SimdPack operator*(SimdPack a, const SimdPack& b) { return a *= b; }
+  friend SimdPack operator/(SimdPack a, const SimdPack& b) { return a /= b; }
+  friend SimdPack operator-(SimdPack a) {
     for (Vector& v : a.vector) v = -v;
     return a;
   }
 };
 
 template <typename T>
-inline constexpr bool is_lanes = false;
+inline constexpr bool is_simd_pack = false;
 template <typename T, int N, int Bytes>
-inline constexpr bool is_lanes<Lanes<T, N, Bytes>> = true;
+inline constexpr bool is_simd_pack<SimdPack<T, N, Bytes>> = true;
 
 /// The same numbers in another type, each rounded as static_cast does.
 template <typename To, typename T, int N, int Bytes>
-[[nodiscard]] inline Lanes<To, N, Bytes> lanes_cast(const Lanes<T, N, Bytes>& x) {
+[[nodiscard]] inline SimdPack<To, N, Bytes> simd_pack_cast(const SimdPack<T, N, Bytes>& x) {
   if constexpr (std::is_same_v<To, T>) {
     return x;
   } else {
@@ -91,7 +93,7 @@ template <typename To, typename T, int N, int Bytes>
     From from;
     std::memcpy(&from, x.vector, sizeof(from));
     const Into into = __builtin_convertvector(from, Into);
-    Lanes<To, N, Bytes> y;
+    SimdPack<To, N, Bytes> y;
     std::memcpy(y.vector, &into, sizeof(into));
     return y;
   }
@@ -110,16 +112,18 @@ inline constexpr int vector_bytes = 16, vectors_at_once = 2;
 
 /// The SIMD pack of T that suits this target.
 template <typename T>
-using NativeLanes = Lanes<T, vectors_at_once * vector_bytes / static_cast<int>(sizeof(T)), vector_bytes>;
+using NativeSimdPack = SimdPack<T, vectors_at_once * vector_bytes / static_cast<int>(sizeof(T)), vector_bytes>;
+
+}  // namespace detail
 
 }  // namespace splinertia
 
 template <typename T, int N, int Bytes>
-struct std::numeric_limits<splinertia::Lanes<T, N, Bytes>> : std::numeric_limits<T> {};
+struct std::numeric_limits<splinertia::detail::SimdPack<T, N, Bytes>> : std::numeric_limits<T> {};
 
 template <typename T, int N, int Bytes>
-struct Eigen::NumTraits<splinertia::Lanes<T, N, Bytes>> : Eigen::GenericNumTraits<T> {
-  using Real = splinertia::Lanes<T, N, Bytes>;
+struct Eigen::NumTraits<splinertia::detail::SimdPack<T, N, Bytes>> : Eigen::GenericNumTraits<T> {
+  using Real = splinertia::detail::SimdPack<T, N, Bytes>;
   using NonInteger = Real;
   using Nested = Real;
   using Literal = T;

@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// One part of a message as text, independent of the global locale. A floating-point number gets only as many digits as
 /// it takes to read back the same value.
@@ -40,4 +40,4 @@ template <typename... Parts>
   return (std::string() + ... + message_part(parts));
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

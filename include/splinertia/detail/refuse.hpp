@@ -54,6 +54,8 @@ void append_part(char* text, std::size_t size, std::size_t& used, const Part& pa
 }  // namespace detail
 #endif
 
+namespace detail {
+
 /// Throws an Error whose message is made of the parts. Without exceptions, passes the message to SPLINERTIA_REFUSE.
 template <typename Error, typename... Parts>
 [[noreturn]] SPLINERTIA_COLD void refuse(const Parts&... parts) {
@@ -67,5 +69,7 @@ template <typename Error, typename... Parts>
   std::abort();
 #endif
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -8,7 +8,7 @@
 #include <splinertia/detail/refuse.hpp>
 #include <stdexcept>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Throws std::invalid_argument unless `good`. The message names the owner of the parameter (an error term, a
 /// function), the parameter, its value and what was expected.
@@ -58,4 +58,4 @@ constexpr void require_factor(const char* whose, const char* parameter, const Sc
   require(-most() <= value && value <= most(), whose, parameter, value, "a number whose third power does not overflow");
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

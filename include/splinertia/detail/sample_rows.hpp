@@ -7,11 +7,11 @@
 #include <splinertia/detail/lanes.hpp>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Samples of `Rows` numbers each, stored as `Rows` contiguous rows: number by number, not sample by sample. SIMD code
 /// writes this order; plots, filters and Allan analysis read it. Behind each row there is room for one SIMD pack
-/// (Lanes), so that whole packs can be written up to the end.
+/// (SimdPack), so that whole packs can be written up to the end.
 ///
 /// Capacity: the number of samples if the memory is part of the object; with Eigen::Dynamic, resize() sets the number.
 template <typename Scalar, int Rows, int Capacity = Eigen::Dynamic>
@@ -32,7 +32,7 @@ class SampleRows {
    public:
     explicit Writer(SampleRows& rows) : data_(rows.numbers_.data()), stride_(rows.numbers_.cols()) {}
 
-    /// Writes v[0] … v[Count − 1] to the rows from Row on, for sample i. If they are SIMD packs (Lanes), for the
+    /// Writes v[0] … v[Count − 1] to the rows from Row on, for sample i. If they are SIMD packs (SimdPack), for the
     /// samples from i on.
     template <int Row, int Count>
     void write(std::size_t i, const auto& v) const {
@@ -46,7 +46,7 @@ class SampleRows {
    private:
     static void put(Scalar* to, const Scalar& x) { *to = x; }
     template <int N, int Bytes>
-    static void put(Scalar* to, const Lanes<Scalar, N, Bytes>& x) {
+    static void put(Scalar* to, const SimdPack<Scalar, N, Bytes>& x) {
       x.store(to);
     }
     Scalar* data_;
@@ -75,7 +75,7 @@ class SampleRows {
   // Whole SIMD packs plus three. One is for the lanes behind the last sample; the others make the length of a row
   // differ from a power of two, so that not all rows lie in the same set of the cache.
   [[nodiscard]] static constexpr Eigen::Index columns(Eigen::Index size) {
-    constexpr Eigen::Index lanes = NativeLanes<Scalar>::size;
+    constexpr Eigen::Index lanes = NativeSimdPack<Scalar>::size;
     return (size / lanes + 3) * lanes;
   }
   static constexpr int fixed_columns =
@@ -111,4 +111,4 @@ class SampleIterator {
   std::size_t index_ = 0;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

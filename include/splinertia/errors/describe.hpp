@@ -33,11 +33,13 @@ struct MeasuredUnit {
   const int seconds = unit.per_seconds + measured.per_seconds;
   std::string text(measured.unit);
   if (seconds != 0) text += seconds > 0 ? "/s" : "*s";
-  if (std::abs(seconds) >= 2) text += message('^', std::abs(seconds));
+  if (std::abs(seconds) >= 2) text += detail::message('^', std::abs(seconds));
   if (unit.per_root_hertz) text += "/sqrt(Hz)";
   if (unit.per_kelvin) text += "/K";
   return unit.reciprocal ? "1/(" + text + ')' : text;
 }
+
+namespace detail {
 
 /// A value as text: one number if all axes have the same, matrices row by row.
 template <typename Value>
@@ -61,6 +63,8 @@ template <typename Scalar, int Rows, int Columns>
   return text + ')';
 }
 
+}  // namespace detail
+
 /// A term, its parameters and their units in one line: describe(WhiteNoise{0.015}, SensorKind::gyro) is "white noise:
 /// density 0.015 rad/s/sqrt(Hz)".
 template <ErrorTerm Term>
@@ -73,7 +77,7 @@ template <ErrorTerm Term>
   }
   std::string separator = ": ";
   const auto parameter = [&](const char* name, const auto& value, const auto& unit) {
-    text += message(separator, name, ' ', value_text(value));
+    text += detail::message(separator, name, ' ', detail::value_text(value));
     if (const std::string in = unit_text(unit, measured); !in.empty() && in != "1") text += ' ' + in;
     separator = ", ";
   };

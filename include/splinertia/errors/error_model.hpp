@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <tuple>
 #include <type_traits>
@@ -10,9 +11,13 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Whether there is a function check_together(a, b). It throws std::invalid_argument if the two terms are incompatible.
 template <typename A, typename B>
 inline constexpr bool are_checked_together = requires(const A& a, const B& b) { check_together(a, b); };
+
+}  // namespace detail
 
 /// The error terms of one sensor, applied in the order written:
 ///
@@ -26,7 +31,7 @@ inline constexpr bool are_checked_together = requires(const A& a, const B& b) { 
 /// check_together(a, b) or check_together(b, a), if there is one, to reject incompatible terms.
 template <typename... Terms>
 class ErrorModel {
-  static_assert((check_error_term<Terms>() && ...));
+  static_assert((detail::check_error_term<Terms>() && ...));
   static_assert(
       (SensorTerm<Terms> && ...) || (ClockTerm<Terms> && ...) || !(ErrorTerm<Terms> && ...),
       "an ErrorModel holds the terms of either a sensor or a clock: errors of time stamps (ClockOffset, StampJitter, "
@@ -53,8 +58,8 @@ class ErrorModel {
 
   /// Applies all terms, in their order, to a sample (a SensorSample or a Stamp).
   template <typename AnySample, typename AnyState>
-    requires(AppliesTo<Terms, AnySample&, StateOf<Terms, AnySample::axes>> && ...)
-  [[gnu::always_inline]] void apply(AnySample& sample, AnyState& state) const {
+    requires(detail::AppliesTo<Terms, AnySample&, StateOf<Terms, AnySample::axes>> && ...)
+  SPLINERTIA_ALWAYS_INLINE void apply(AnySample& sample, AnyState& state) const {
     apply_all(sample, state, indices);
   }
 
@@ -73,13 +78,13 @@ class ErrorModel {
   using Term = std::tuple_element_t<Index, std::tuple<Terms...>>;
 
   template <std::size_t... Index>
-  [[gnu::always_inline]] void apply_all(auto& sample, auto& state, std::index_sequence<Index...>) const {
+  SPLINERTIA_ALWAYS_INLINE void apply_all(auto& sample, auto& state, std::index_sequence<Index...>) const {
     (std::get<Index>(terms_).apply(sample, std::get<Index>(state)), ...);
   }
 
   // are_checked_together is one variable for each pair of types: compilers reuse it from model to model.
   template <typename T>
-  static constexpr bool are_any_checked_with = (are_checked_together<T, Terms> || ...);
+  static constexpr bool are_any_checked_with = (detail::are_checked_together<T, Terms> || ...);
 
   template <std::size_t... Index>
   constexpr void check_all(std::index_sequence<Index...>) const {
@@ -91,7 +96,7 @@ class ErrorModel {
   }
   template <std::size_t Index, std::size_t J>
   constexpr void check_pair() const {
-    if constexpr (Index != J && are_checked_together<Term<Index>, Term<J>>) {
+    if constexpr (Index != J && detail::are_checked_together<Term<Index>, Term<J>>) {
       check_together(std::get<Index>(terms_), std::get<J>(terms_));
     }
   }
@@ -125,6 +130,8 @@ class ErrorModel {
 
 static_assert(std::is_empty_v<ErrorModel<>>);
 
+namespace detail {
+
 /// The state of a model before the first sample of a run.
 template <typename Model, int Axes = 3, BitGenerator Generator = Xoshiro256>
 using StateOfModel = decltype(std::declval<const Model&>().template start<Axes, Generator>(std::declval<StreamKey>()));
@@ -134,5 +141,7 @@ template <typename Model>
 concept SensorModel = AppliesToSensor<Model, StateOfModel<Model>>;
 template <typename Model>
 concept ClockModel = AppliesToClock<Model, StateOfModel<Model, Stamp<double>::axes>>;
+
+}  // namespace detail
 
 }  // namespace splinertia

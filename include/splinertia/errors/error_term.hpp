@@ -23,6 +23,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/clock/stamp.hpp>
 #include <splinertia/errors/detail/any_sample.hpp>
 #include <splinertia/errors/normal_streams.hpp>
@@ -34,11 +35,15 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// √x as a single instruction. std::sqrt may set errno, which keeps compilers from computing it once before a loop.
 template <typename Scalar>
-[[nodiscard, gnu::always_inline]] inline Scalar square_root(const Scalar& x) {
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Scalar square_root(const Scalar& x) {
   return Eigen::Array<Scalar, 2, 1>::Constant(x).sqrt().eval().x();
 }
+
+}  // namespace detail
 
 /// The unit of a parameter: its sensor's unit (rad/s, m/s², m …), divided by s^per_seconds, √Hz and K.
 struct SensorUnit {
@@ -54,6 +59,8 @@ concept StochasticTerm = requires {
   typename T::template State<NormalStreams<>>;
   T::name;
 };
+
+namespace detail {
 
 /// A term whose state depends on the number of axes.
 template <typename T>
@@ -75,9 +82,13 @@ struct TermState<Term, Axes, Generator> {
   using type = typename Term::template State<NormalStreams<Generator, Axes>>;
 };
 
+}  // namespace detail
+
 /// The state of a term in a sensor of so many axes, whose random numbers come from Generator.
-template <TermWithState Term, int Axes = 3, BitGenerator Generator = Xoshiro256>
-using StateOf = typename TermState<Term, Axes, Generator>::type;
+template <detail::TermWithState Term, int Axes = 3, BitGenerator Generator = Xoshiro256>
+using StateOf = typename detail::TermState<Term, Axes, Generator>::type;
+
+namespace detail {
 
 /// Whether the state can be constructed at the beginning of a run: by default or, for a term that draws random numbers,
 /// from its StreamKey.
@@ -110,17 +121,22 @@ concept AppliesToCopy =
     (AppliesTo<Errors, SensorSample<double>, State> || AppliesTo<Errors, detail::AnySensorSampleCopy, State> ||
      AppliesTo<Errors, Stamp<double>, State> || AppliesTo<Errors, detail::AnyStampCopy, State>);
 
+}  // namespace detail
+
 /// An error term of a sensor, which changes a SensorSample.
 template <typename T>
-concept SensorTerm = TermWithStart<T> && AppliesToSensor<T, StateOf<T>> && !AppliesToCopy<T, StateOf<T>>;
+concept SensorTerm =
+    detail::TermWithStart<T> && detail::AppliesToSensor<T, StateOf<T>> && !detail::AppliesToCopy<T, StateOf<T>>;
 
 /// An error term of a clock, which changes a Stamp.
 template <typename T>
-concept ClockTerm = TermWithStart<T> && AppliesToClock<T, StateOf<T, Stamp<double>::axes>> &&
-                    !AppliesToCopy<T, StateOf<T, Stamp<double>::axes>>;
+concept ClockTerm = detail::TermWithStart<T> && detail::AppliesToClock<T, StateOf<T, Stamp<double>::axes>> &&
+                    !detail::AppliesToCopy<T, StateOf<T, Stamp<double>::axes>>;
 
 template <typename T>
 concept ErrorTerm = SensorTerm<T> || ClockTerm<T>;
+
+namespace detail {
 
 /// Fails to compile unless T is an error term, with one line that says what is missing.
 template <typename T>
@@ -145,7 +161,7 @@ consteval bool check_error_term() {
 template <typename Scalar, typename Coefficients>
 class ForInterval {
  public:
-  [[nodiscard, gnu::always_inline]] const Coefficients& operator()(const Scalar& interval, const auto& make) {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE const Coefficients& operator()(const Scalar& interval, const auto& make) {
     if (interval != interval_) [[unlikely]] {
       interval_ = interval;
       coefficients_ = make();
@@ -157,5 +173,7 @@ class ForInterval {
   Scalar interval_ = Scalar(-1);  // no sample has this interval
   Coefficients coefficients_{};
 };
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -20,8 +20,8 @@ namespace splinertia {
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_sigma(const Scalar& density, const Hertz& rate) {
   using std::sqrt;
-  require_non_negative("white_noise_sigma", "density", density);
-  require_positive("white_noise_sigma", "rate", rate);
+  detail::require_non_negative("white_noise_sigma", "density", density);
+  detail::require_positive("white_noise_sigma", "rate", rate);
   return density * sqrt(static_cast<Scalar>(rate));
 }
 
@@ -30,8 +30,8 @@ template <typename Scalar, typename Hertz>
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_density(const Scalar& sigma, const Hertz& rate) {
   using std::sqrt;
-  require_non_negative("white_noise_density", "sigma", sigma);
-  require_positive("white_noise_density", "rate", rate);
+  detail::require_non_negative("white_noise_density", "sigma", sigma);
+  detail::require_positive("white_noise_density", "rate", rate);
   return sigma / sqrt(static_cast<Scalar>(rate));
 }
 
@@ -40,8 +40,8 @@ template <typename Scalar, typename Hertz>
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar random_walk_sigma(const Scalar& density, const Hertz& rate) {
   using std::sqrt;
-  require_non_negative("random_walk_sigma", "density", density);
-  require_positive("random_walk_sigma", "rate", rate);
+  detail::require_non_negative("random_walk_sigma", "density", density);
+  detail::require_positive("random_walk_sigma", "rate", rate);
   return density / sqrt(static_cast<Scalar>(rate));
 }
 
@@ -49,10 +49,12 @@ template <typename Scalar, typename Hertz>
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar random_walk_density(const Scalar& sigma, const Hertz& rate) {
   using std::sqrt;
-  require_non_negative("random_walk_density", "sigma", sigma);
-  require_positive("random_walk_density", "rate", rate);
+  detail::require_non_negative("random_walk_density", "sigma", sigma);
+  detail::require_positive("random_walk_density", "rate", rate);
   return sigma * sqrt(static_cast<Scalar>(rate));
 }
+
+namespace detail {
 
 /// √(1/2), for any scalar.
 template <typename Scalar>
@@ -65,20 +67,22 @@ template <typename Scalar>
   }
 }
 
+}  // namespace detail
+
 /// The density N of white noise from a one-sided spectral density: one_sided/√2. The "noise density" or "noise spectral
 /// density" of a data sheet is one-sided: all power is at positive frequencies. Angle and velocity random walks are N
 /// itself.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar white_noise_density_from_one_sided(const Scalar& one_sided) {
-  require_non_negative("white_noise_density_from_one_sided", "one-sided density", one_sided);
-  return one_sided * root_half<Scalar>();
+  detail::require_non_negative("white_noise_density_from_one_sided", "one-sided density", one_sided);
+  return one_sided * detail::root_half<Scalar>();
 }
 
 /// The one-sided spectral density of white noise of density N, as in data sheets: N·√2.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar one_sided_density(const Scalar& density) {
-  require_non_negative("one_sided_density", "density", density);
-  return density * (Scalar(2) * root_half<Scalar>());
+  detail::require_non_negative("one_sided_density", "density", density);
+  return density * (Scalar(2) * detail::root_half<Scalar>());
 }
 
 /// The standard deviation of white noise of density N after a filter: N·√(2·bandwidth).
@@ -88,8 +92,8 @@ template <typename Scalar>
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_rms(const Scalar& density, const Hertz& noise_bandwidth) {
   using std::sqrt;
-  require_non_negative("white_noise_rms", "density", density);
-  require_positive("white_noise_rms", "noise bandwidth", noise_bandwidth);
+  detail::require_non_negative("white_noise_rms", "density", density);
+  detail::require_positive("white_noise_rms", "noise bandwidth", noise_bandwidth);
   return density * sqrt(Scalar(2) * static_cast<Scalar>(noise_bandwidth));
 }
 
@@ -97,8 +101,8 @@ template <typename Scalar, typename Hertz>
 template <typename Scalar, typename Hertz>
 [[nodiscard]] Scalar white_noise_density_from_rms(const Scalar& rms, const Hertz& noise_bandwidth) {
   using std::sqrt;
-  require_non_negative("white_noise_density_from_rms", "rms", rms);
-  require_positive("white_noise_density_from_rms", "noise bandwidth", noise_bandwidth);
+  detail::require_non_negative("white_noise_density_from_rms", "rms", rms);
+  detail::require_positive("white_noise_density_from_rms", "noise bandwidth", noise_bandwidth);
   return rms / sqrt(Scalar(2) * static_cast<Scalar>(noise_bandwidth));
 }
 
@@ -107,9 +111,11 @@ template <typename Hertz>
   requires(!std::is_integral_v<Hertz>)
 [[nodiscard]] Hertz first_order_noise_bandwidth(const Hertz& cutoff) {
   using std::atan;
-  require_positive("first_order_noise_bandwidth", "cutoff", cutoff);
+  detail::require_positive("first_order_noise_bandwidth", "cutoff", cutoff);
   return Hertz(2) * atan(Hertz(1)) * cutoff;
 }
+
+namespace detail {
 
 /// √(2 ln 2/π) = 0.6643: the flat floor of the Allan deviation of flicker noise, divided by the coefficient B of the
 /// bias instability. IEEE Std 952-1997, C.1.2.
@@ -123,19 +129,21 @@ template <typename Scalar>
   }
 }
 
+}  // namespace detail
+
 /// The coefficient B from the minimum of an Allan deviation: floor/0.6643. Data sheets call the minimum bias
 /// instability or in-run bias stability. Both in unit.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar bias_instability_from_floor(const Scalar& floor) {
-  require_non_negative("bias_instability_from_floor", "floor", floor);
-  return floor / allan_floor_over_bias_instability<Scalar>();
+  detail::require_non_negative("bias_instability_from_floor", "floor", floor);
+  return floor / detail::allan_floor_over_bias_instability<Scalar>();
 }
 
 /// The floor of the Allan deviation for the bias instability coefficient B: 0.6643·B.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar allan_floor(const Scalar& bias_instability) {
-  require_non_negative("allan_floor", "bias instability", bias_instability);
-  return bias_instability * allan_floor_over_bias_instability<Scalar>();
+  detail::require_non_negative("allan_floor", "bias instability", bias_instability);
+  return bias_instability * detail::allan_floor_over_bias_instability<Scalar>();
 }
 
 }  // namespace splinertia

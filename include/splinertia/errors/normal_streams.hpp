@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <splinertia/random/normal.hpp>
 #include <splinertia/random/random_stream.hpp>
@@ -29,7 +30,7 @@ struct AxisStreams<Generator, std::index_sequence<Axis...>> : AxisStream<Generat
   // In the order of the axes: the parts of braces and of folds are evaluated in order, the arguments of a call may be
   // evaluated in any.
   template <typename Scalar>
-  [[gnu::always_inline]] auto draw() {
+  SPLINERTIA_ALWAYS_INLINE auto draw() {
     using Vector = AxisVector<Scalar, static_cast<int>(sizeof...(Axis))>;
     if constexpr (sizeof...(Axis) <= 4) {
       return Vector{static_cast<Scalar>(AxisStream<Generator, Axis>::stream())...};
@@ -39,7 +40,7 @@ struct AxisStreams<Generator, std::index_sequence<Axis...>> : AxisStream<Generat
       return numbers;
     }
   }
-  [[gnu::always_inline]] auto draw_uniform() {
+  SPLINERTIA_ALWAYS_INLINE auto draw_uniform() {
     AxisVector<double, static_cast<int>(sizeof...(Axis))> numbers;
     ((numbers[static_cast<int>(Axis)] = AxisStream<Generator, Axis>::stream.uniform()), ...);
     return numbers;
@@ -59,19 +60,19 @@ class NormalStreams {
 
   /// Independent standard normal numbers, one for each axis.
   template <typename Scalar>
-  [[nodiscard, gnu::always_inline]] AxisVector<Scalar, Axes> draw() {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<Scalar, Axes> draw() {
     return streams_.template draw<Scalar>();
   }
   /// Independent numbers uniform in [0, 1), one for each axis, from the same streams. They are independent of the normal
   /// numbers drawn before and after.
-  [[nodiscard, gnu::always_inline]] AxisVector<double, Axes> draw_uniform() { return streams_.draw_uniform(); }
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<double, Axes> draw_uniform() { return streams_.draw_uniform(); }
   /// One standard normal number, from the first stream.
   [[nodiscard]] double draw_one() { return first()(); }
   /// A number uniform in [0, 1), from the first stream.
   [[nodiscard]] double uniform() { return first().uniform(); }
 
  private:
-  [[nodiscard, gnu::always_inline]] NormalStream<Generator>& first() {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE NormalStream<Generator>& first() {
     return static_cast<detail::AxisStream<Generator, 0>&>(streams_).stream;
   }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <type_traits>
@@ -46,12 +47,12 @@ class PerAxis {
 
   /// The values for the axes of a sensor.
   template <int Axes = N>
-  [[nodiscard, gnu::always_inline]] AxisVector<Scalar, Axes> vector() const {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<Scalar, Axes> vector() const {
     return view<Axes>();
   }
   /// The same without a copy: an expression of Eigen that refers to this object.
   template <int Axes = N>
-  [[nodiscard, gnu::always_inline]] auto view() const& {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE auto view() const& {
     static_assert(N == 1 || N == Axes,
                   "a parameter of an error term has one value for each of N axes, but the sensor has another number of "
                   "axes: give one value for all axes, or one for each axis of the sensor");
@@ -69,8 +70,10 @@ class PerAxis {
   // sample.
   static constexpr int stored = N == 1 ? 3 : N;
 
-  FixedArray<Scalar, stored> values_{};
+  detail::FixedArray<Scalar, stored> values_{};
 };
+
+namespace detail {
 
 template <typename Scalar, int N>
 constexpr void require_finite(const char* term, const char* parameter, const PerAxis<Scalar, N>& values) {
@@ -136,9 +139,12 @@ inline constexpr int values_in_parameter<std::optional<P>> = values_in_parameter
 template <typename... P>
 inline constexpr int values_in_parameters = (std::max)({values_in_parameter<P>...});
 
+}  // namespace detail
+
 template <typename P>
-PerAxis(const P&) -> PerAxis<ScalarOfParameter<P>, values_in_parameter<P>>;
+PerAxis(const P&) -> PerAxis<detail::ScalarOfParameter<P>, detail::values_in_parameter<P>>;
 template <typename P, typename Q, typename... Rest>
-PerAxis(const P&, const Q&, const Rest&...) -> PerAxis<ScalarOfParameter<P>, 2 + static_cast<int>(sizeof...(Rest))>;
+PerAxis(const P&, const Q&,
+        const Rest&...) -> PerAxis<detail::ScalarOfParameter<P>, 2 + static_cast<int>(sizeof...(Rest))>;
 
 }  // namespace splinertia

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/detail/run_clock.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/sensor_sample.hpp>
@@ -11,16 +12,20 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// What a sensor of so many axes measures: a number for one axis, a vector for more.
 template <typename Scalar, int Axes>
 using SensorValue = std::conditional_t<Axes == 1, Scalar, AxisVector<Scalar, Axes>>;
 
+}  // namespace detail
+
 /// One reading of a sensor.
 template <int Axes, typename Scalar, TimePoint Time>
 struct SensorReading {
-  Time time;                        ///< its stamp
-  SensorValue<Scalar, Axes> value;  ///< in the sensor's unit
-  SensorValue<Scalar, Axes> bias;   ///< the true bias in `value`
+  Time time;                                ///< its stamp
+  detail::SensorValue<Scalar, Axes> value;  ///< in the sensor's unit
+  detail::SensorValue<Scalar, Axes> bias;   ///< the true bias in `value`
 };
 
 /// One reading of a sensor whose stamps have errors, too.
@@ -37,21 +42,21 @@ struct StampedSensorReading : SensorReading<Axes, Scalar, Time> {
 ///
 ///   auto gnss = sensor_errors<3>(model, stamps, StreamKey(seed) / "gnss");
 ///   if (const auto fix = gnss.apply(time, position, 0.1)) …     // empty if the sample is dropped
-template <SensorModel Model, int Axes = 1, ClockModel Stamps = ErrorModel<>, typename Scalar = double,
+template <detail::SensorModel Model, int Axes = 1, detail::ClockModel Stamps = ErrorModel<>, typename Scalar = double,
           TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class SensorErrors {
   using Sample = SensorSample<Scalar, Axes>;
-  using State = StateOfModel<Model, Axes, Generator>;
+  using State = detail::StateOfModel<Model, Axes, Generator>;
   using Clock = detail::RunClock<Stamps, Scalar, Time, Generator>;
-  static_assert(AppliesTo<Model, Sample&, State>,
+  static_assert(detail::AppliesTo<Model, Sample&, State>,
                 "a term of the error model does not apply to a sensor with this number of axes and this scalar type "
                 "(WhiteNoise{0.01} uses double, WhiteNoise{0.01F} float), or it needs the truth of an IMU, as "
                 "GSensitivity does");
-  static_assert(AppliesTo<Stamps, Stamp<Scalar>&, typename Clock::State>,
+  static_assert(detail::AppliesTo<Stamps, Stamp<Scalar>&, typename Clock::State>,
                 "the error terms of the stamps use another scalar type than the sensor");
 
  public:
-  using Value = SensorValue<Scalar, Axes>;
+  using Value = detail::SensorValue<Scalar, Axes>;
   using Reading = std::conditional_t<Clock::has_stamps, StampedSensorReading<Axes, Scalar, Time>,
                                      SensorReading<Axes, Scalar, Time>>;
 
@@ -67,8 +72,8 @@ class SensorErrors {
   /// interval). It is empty if the sample is dropped. Stamps increase strictly: a stamp that its errors would put before
   /// next_stamp() of the last one becomes next_stamp(). Requires interval > 0. Throws std::invalid_argument for a stamp
   /// that is not finite.
-  [[nodiscard, gnu::always_inline]] std::optional<Reading> apply(Time time, const Value& truth,
-                                                                 const Scalar& interval) {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE std::optional<Reading> apply(Time time, const Value& truth,
+                                                                      const Scalar& interval) {
     const auto now = clock_.sample_at(time, interval);
     Sample sample{AxisVector<Scalar, Axes>(truth), AxisVector<Scalar, Axes>::Zero(), interval, now.first, now.elapsed};
     model_.apply(sample, state_);
@@ -94,12 +99,12 @@ class SensorErrors {
 /// The same with the number of axes, the scalar, the type of time or the generator given, the models deduced:
 /// sensor_errors<2>(model, key), sensor_errors<3, double, std::chrono::nanoseconds>(model, stamps, key).
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
-          SensorModel Model>
+          detail::SensorModel Model>
 [[nodiscard]] auto sensor_errors(const Model& model, StreamKey sensor) {
   return SensorErrors<Model, Axes, ErrorModel<>, Scalar, Time, Generator>(model, sensor);
 }
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
-          SensorModel Model, ClockModel Stamps>
+          detail::SensorModel Model, detail::ClockModel Stamps>
 [[nodiscard]] auto sensor_errors(const Model& model, const Stamps& stamps, StreamKey sensor) {
   return SensorErrors<Model, Axes, Stamps, Scalar, Time, Generator>(model, stamps, sensor);
 }

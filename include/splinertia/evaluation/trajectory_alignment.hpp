@@ -25,7 +25,7 @@ struct SimilarityTransform {
   Scalar scale = Scalar(1);
 
   [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& p) const {
-    return rotate<Scalar>(rotation.unit_quaternion(), p * scale) + translation;
+    return detail::rotate<Scalar>(rotation.unit_quaternion(), p * scale) + translation;
   }
   template <Pose G>
     requires std::same_as<ScalarOf<G>, Scalar>
@@ -34,6 +34,8 @@ struct SimilarityTransform {
     return make_pose<G>(SO3::compose(rotation, splinertia::rotation(pose)), (*this)(position(pose)));
   }
 };
+
+namespace detail {
 
 /// The mean of the columns, computed from their differences from the first: far from the origin a plain sum would lose
 /// digits.
@@ -87,16 +89,12 @@ template <typename Scalar>
   return result;
 }
 
-namespace detail {
-
 /// The rotation about z by the angle whose sine and cosine are proportional to these. Requires that not both are 0.
 template <typename Scalar>
 [[nodiscard]] Sophus::SO3<Scalar> rotation_about_z(const Scalar& sine, const Scalar& cosine) {
   using std::atan2;
   return GroupTraits<Sophus::SO3<Scalar>>::exp({Scalar(0), Scalar(0), atan2(sine, cosine)});
 }
-
-}  // namespace detail
 
 /// The rotation about the z axis (against gravity) and the translation from the points x_i to the points y_i that
 /// minimise Σ |y_i − (R_z(ψ) x_i + t)|². These are what a visual-inertial estimator cannot observe.
@@ -131,6 +129,8 @@ template <typename Scalar>
   return result;
 }
 
+}  // namespace detail
+
 /// What is estimated of the transform from the estimate's world to the reference's:
 ///   none    nothing
 ///   origin  rotation and translation, from the first pair of poses
@@ -149,7 +149,7 @@ template <Pose G, TimePoint Time>
   using Scalar = ScalarOf<G>;
   using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
   count = (std::min)(count, pairs.size());
-  if (count == 0) refuse<std::invalid_argument>("alignment: no pairs of poses");
+  if (count == 0) detail::refuse<std::invalid_argument>("alignment: no pairs of poses");
   SimilarityTransform<Scalar> result;
   if (kind == Alignment::none) return result;
   if (kind == Alignment::origin || (kind == Alignment::yaw && count == 1)) {
@@ -159,7 +159,8 @@ template <Pose G, TimePoint Time>
       // The nearest rotation about z has a quaternion with the same ratio of z to w.
       const auto& q = result.rotation.unit_quaternion();
       if (q.w() == Scalar(0) && q.z() == Scalar(0)) {
-        refuse<std::invalid_argument>("alignment: the first pair of attitudes does not determine a rotation about z");
+        detail::refuse<std::invalid_argument>(
+            "alignment: the first pair of attitudes does not determine a rotation about z");
       }
       result.rotation = detail::rotation_about_z(Scalar(2) * q.w() * q.z(), q.w() * q.w() - q.z() * q.z());
     }
@@ -172,8 +173,8 @@ template <Pose G, TimePoint Time>
     from.col(i) = position(pairs[static_cast<std::size_t>(i)].estimate);
     to.col(i) = position(pairs[static_cast<std::size_t>(i)].reference);
   }
-  if (kind == Alignment::yaw) return fit_yaw<Scalar>(from, to);
-  return fit_similarity<Scalar>(from, to, kind == Alignment::sim3);
+  if (kind == Alignment::yaw) return detail::fit_yaw<Scalar>(from, to);
+  return detail::fit_similarity<Scalar>(from, to, kind == Alignment::sim3);
 }
 
 /// The pairs with the estimate transformed.

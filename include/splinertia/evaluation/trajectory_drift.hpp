@@ -39,10 +39,10 @@ template <Pose G, TimePoint Time>
 [[nodiscard]] std::vector<PoseError<ScalarOf<G>>> drift_errors(const std::vector<PosePair<G, Time>>& pairs,
                                                                std::type_identity_t<ScalarOf<G>> length,
                                                                std::size_t step = 10) {
-  if (!(length > ScalarOf<G>(0)) || !is_finite(length)) {
-    refuse<std::invalid_argument>("drift_errors: length ", length, " m, expected a length > 0");
+  if (!(length > ScalarOf<G>(0)) || !detail::is_finite(length)) {
+    detail::refuse<std::invalid_argument>("drift_errors: length ", length, " m, expected a length > 0");
   }
-  if (step == 0) refuse<std::invalid_argument>("drift_errors: step 0, expected 1 or more");
+  if (step == 0) detail::refuse<std::invalid_argument>("drift_errors: step 0, expected 1 or more");
   const auto path = reference_path(pairs);
   IndexPairs segments;
   for (std::size_t i = 0; i < path.size(); i += (std::min)(step, path.size() - i)) {

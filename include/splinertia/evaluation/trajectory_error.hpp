@@ -51,8 +51,8 @@ template <Pose G, TimePoint Time>
                                                                   const IndexPairs& indices) {
   using Scalar = ScalarOf<G>;
   using SO3 = GroupTraits<Sophus::SO3<Scalar>>;
-  const auto moved = [](const G& from, const G& to) {
-    return rotate_inverse<Scalar>(rotation(from).unit_quaternion(), position(to) - position(from));
+  const auto displacement = [](const G& from, const G& to) {
+    return detail::rotate_inverse<Scalar>(rotation(from).unit_quaternion(), position(to) - position(from));
   };
   const auto turned = [](const G& from, const G& to) {
     return SO3::compose(SO3::inverse(rotation(from)), rotation(to));
@@ -61,7 +61,8 @@ template <Pose G, TimePoint Time>
   errors.reserve(indices.size());
   for (const auto& [i, j] : indices) {
     const G &q0 = pairs[i].reference, &q1 = pairs[j].reference, &p0 = pairs[i].estimate, &p1 = pairs[j].estimate;
-    errors.push_back({(moved(p0, p1) - moved(q0, q1)).norm(), increment(turned(q0, q1), turned(p0, p1)).norm()});
+    errors.push_back(
+        {(displacement(p0, p1) - displacement(q0, q1)).norm(), increment(turned(q0, q1), turned(p0, p1)).norm()});
   }
   return errors;
 }
@@ -87,11 +88,11 @@ template <std::ranges::input_range Errors, typename Part = std::identity>
   std::vector<Scalar> values;
   for (const auto& error : errors) {
     values.push_back(std::invoke(part, error));
-    if (!is_finite(values.back())) {
-      refuse<std::invalid_argument>("error_statistics: error ", values.size() - 1, " is not finite");
+    if (!detail::is_finite(values.back())) {
+      detail::refuse<std::invalid_argument>("error_statistics: error ", values.size() - 1, " is not finite");
     }
   }
-  if (values.empty()) refuse<std::invalid_argument>("error_statistics: no errors");
+  if (values.empty()) detail::refuse<std::invalid_argument>("error_statistics: no errors");
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
   ErrorStatistics<Scalar> s{};

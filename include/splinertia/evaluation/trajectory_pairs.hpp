@@ -33,8 +33,8 @@ enum class PairSelection { consecutive, all };
     for (std::size_t i = 0; i < size && size - i > delta; i += step) indices.emplace_back(i, i + delta);
   }
   if (indices.empty()) {
-    refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta, ", expected at least 1 and less than ", size,
-                                  ", the number of poses");
+    detail::refuse<std::invalid_argument>("index_pairs_by_frames: delta ", delta,
+                                          ", expected at least 1 and less than ", size, ", the number of poses");
   }
   return indices;
 }
@@ -51,8 +51,8 @@ template <Pose G, TimePoint Time>
                                                                                            ScalarOf<G>(10)) {
   using Scalar = ScalarOf<G>;
   using std::abs;
-  if (!(delta > Scalar(0)) || !is_finite(delta)) {
-    refuse<std::invalid_argument>("index_pairs_by_path: delta ", delta, " m, expected a length > 0");
+  if (!(delta > Scalar(0)) || !detail::is_finite(delta)) {
+    detail::refuse<std::invalid_argument>("index_pairs_by_path: delta ", delta, " m, expected a length > 0");
   }
   const auto length = [&](std::size_t i) {
     return (position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm();
@@ -83,8 +83,8 @@ template <Pose G, TimePoint Time>
     }
   }
   if (indices.empty()) {
-    refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
-                                  " m apart along the path");
+    detail::refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
+                                          " m apart along the path");
   }
   return indices;
 }
@@ -98,12 +98,14 @@ template <Pose G, TimePoint Time>
                                              PairSelection selection = PairSelection::consecutive,
                                              double tolerance = 0.1) {
   using std::abs;
-  if (!(delta > 0) || !is_finite(delta)) {
-    refuse<std::invalid_argument>("index_pairs_by_time: delta ", delta, " s, expected a duration > 0");
+  if (!(delta > 0) || !detail::is_finite(delta)) {
+    detail::refuse<std::invalid_argument>("index_pairs_by_time: delta ", delta, " s, expected a duration > 0");
   }
   IndexPairs indices;
   for (std::size_t i = 0; i + 1 < pairs.size();) {
-    const auto since = [&](const auto& pair) { return to_seconds<double>(time_between(pairs[i].time, pair.time)); };
+    const auto since = [&](const auto& pair) {
+      return to_seconds<double>(detail::time_between(pairs[i].time, pair.time));
+    };
     const auto miss = [&](auto at) { return abs(since(*at) - delta); };
     const auto next = pairs.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     auto best = std::partition_point(next, pairs.end(), [&](const auto& pair) { return since(pair) < delta; });
@@ -114,8 +116,8 @@ template <Pose G, TimePoint Time>
     i = nearby && selection == PairSelection::consecutive ? j : i + 1;
   }
   if (indices.empty()) {
-    refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,
-                                  " s apart");
+    detail::refuse<std::invalid_argument>("index_pairs_by_time: no two of the ", pairs.size(), " poses are ", delta,
+                                          " s apart");
   }
   return indices;
 }

@@ -198,22 +198,22 @@ class OffsetSearch {
 /// the offset: if both speeds are known for less than 20 windows at once, if they are not correlated beyond chance (a
 /// body at rest or at a constant rate, two bodies), if they agree best at an end of the range, if another offset is
 /// about as likely, and if the standard deviation is above 1/40 of the window.
-template <StampedPoses Reference, StampedPoses Estimate>
+template <detail::StampedPoses Reference, detail::StampedPoses Estimate>
   requires std::same_as<std::ranges::range_value_t<Reference>, std::ranges::range_value_t<Estimate>>
 [[nodiscard]] TimeOffset estimate_time_offset(const Reference& reference, const Estimate& estimate,
                                               const TimeOffsetOptions& options = {}) {
-  check_poses(reference, "reference");
-  check_poses(estimate, "estimate");
+  detail::check_poses(reference, "reference");
+  detail::check_poses(estimate, "estimate");
   const auto origin = std::ranges::begin(reference)->time;
   const detail::AngularSpeed of_reference(reference, origin), of_estimate(estimate, origin);
   double window = options.window;
   if (window == 0) window = (std::max)({0.1, 4 * of_reference.median_interval(), 4 * of_estimate.median_interval()});
-  if (!(window > 0) || !is_finite(window)) {
-    refuse<std::invalid_argument>("estimate_time_offset: window ", window, " s, expected > 0 s");
+  if (!(window > 0) || !detail::is_finite(window)) {
+    detail::refuse<std::invalid_argument>("estimate_time_offset: window ", window, " s, expected > 0 s");
   }
   if (!(options.range > 0 && options.range <= 1e5 * window)) {
-    refuse<std::invalid_argument>("estimate_time_offset: range ", options.range, " s, expected > 0 s and at most ",
-                                  1e5 * window, " s");
+    detail::refuse<std::invalid_argument>("estimate_time_offset: range ", options.range,
+                                          " s, expected > 0 s and at most ", 1e5 * window, " s");
   }
   std::string refusal;
   for (int tries = options.window == 0 ? 4 : 1; tries > 0; --tries, window *= 2) {
@@ -221,7 +221,7 @@ template <StampedPoses Reference, StampedPoses Estimate>
     if (result.refusal.empty()) return result.found;
     if (refusal.empty()) refusal = result.refusal;
   }
-  refuse<std::invalid_argument>("estimate_time_offset: the motion does not show the offset: ", refusal);
+  detail::refuse<std::invalid_argument>("estimate_time_offset: the motion does not show the offset: ", refusal);
 }
 
 }  // namespace splinertia

@@ -93,6 +93,8 @@ concept LieGroupWithJacobians = LieGroup<G> && requires(const Tangent<G>& a) {
   { GroupTraits<G>::left_jacobian_inverse(a) } -> std::convertible_to<Jacobian<G>>;
 };
 
+namespace detail {
+
 /// Whether X Y = Y X. Brackets are then zero and Adjoints the identity, so that neither is ever computed.
 template <LieGroup G>
 inline constexpr bool is_commutative = [] {
@@ -102,6 +104,8 @@ inline constexpr bool is_commutative = [] {
     return false;
   }
 }();
+
+}  // namespace detail
 
 /// log(x⁻¹ y): the tangent that leads from x to y. Accurate for close x and y if GroupTraits has an increment().
 template <LieGroup G>
@@ -113,6 +117,8 @@ template <LieGroup G>
   }
 }
 
+namespace detail {
+
 /// exp(λ τ) for 0 ≤ λ ≤ 1.
 template <LieGroup G>
 [[nodiscard]] G exp_of_fraction(const ScalarOf<G>& lambda, const Tangent<G>& tau) {
@@ -122,6 +128,8 @@ template <LieGroup G>
     return GroupTraits<G>::exp(lambda * tau);
   }
 }
+
+}  // namespace detail
 
 /// Ad_{x⁻¹} τ: the tangent τ as seen from x.
 template <LieGroup G>

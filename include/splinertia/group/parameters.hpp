@@ -53,8 +53,12 @@ inline void write_parameters(const G& x, ScalarOf<G>* numbers) {
 
 template <HasParameterLayout G>
 using TangentToParameters = Eigen::Matrix<ScalarOf<G>, parameter_count<G>, DofOf<G>>;
+namespace detail {
+
 template <HasParameterLayout G>
 using ParametersToTangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, parameter_count<G>>;
+
+}  // namespace detail
 
 template <typename Scalar, int N>
 struct ParameterLayout<Eigen::Matrix<Scalar, N, 1>> {
@@ -72,10 +76,10 @@ struct ParameterLayout<Sophus::SO2<Scalar>> {
   using G = Sophus::SO2<Scalar>;
   static constexpr int size = 2;
 
-  static G read(const Scalar* numbers) { return rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
+  static G read(const Scalar* numbers) { return detail::rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
   static void write(const G& x, Scalar* numbers) { Eigen::Map<Vector2<Scalar>>{numbers} = x.unit_complex(); }
   /// i z, where z is the unit complex number of x.
-  static Vector2<Scalar> tangent_to_parameters(const G& x) { return quarter_turn<Scalar>(x.unit_complex()); }
+  static Vector2<Scalar> tangent_to_parameters(const G& x) { return detail::quarter_turn<Scalar>(x.unit_complex()); }
   static Eigen::Matrix<Scalar, 1, 2> parameters_to_tangent(const G& x) { return tangent_to_parameters(x).transpose(); }
 };
 
@@ -95,9 +99,9 @@ struct ParameterLayout<Sophus::SO3<Scalar>> {
   /// q (δ/2, 0) = ((w δ + v × δ)/2, −v·δ/2) for q = (v, w).
   static Eigen::Matrix<Scalar, 4, 3> tangent_to_parameters(const G& x) {
     const auto& q = x.unit_quaternion();
-    const Scalar half(Constant<Scalar>(1) / Constant<Scalar>(2));
+    const Scalar half(detail::Constant<Scalar>(1) / detail::Constant<Scalar>(2));
     Eigen::Matrix<Scalar, 4, 3> J;
-    J.template topRows<3>() = half * (hat<Scalar>(q.vec()) + q.w() * Matrix3<Scalar>::Identity());
+    J.template topRows<3>() = half * (detail::hat<Scalar>(q.vec()) + q.w() * Matrix3<Scalar>::Identity());
     J.template bottomRows<1>() = -half * q.vec().transpose();
     return J;
   }
@@ -126,7 +130,7 @@ struct ParameterLayout<Sophus::SE2<Scalar>> {
   static Eigen::Matrix<Scalar, 4, 3> tangent_to_parameters(const G& x) {
     Eigen::Matrix<Scalar, 4, 3> J = Eigen::Matrix<Scalar, 4, 3>::Zero();
     J.template block<2, 1>(0, 2) = Rotation::tangent_to_parameters(x.so2());
-    J.template block<2, 2>(2, 0) << x.unit_complex(), quarter_turn<Scalar>(x.unit_complex());
+    J.template block<2, 2>(2, 0) << x.unit_complex(), detail::quarter_turn<Scalar>(x.unit_complex());
     return J;
   }
   static Eigen::Matrix<Scalar, 3, 4> parameters_to_tangent(const G& x) {
@@ -154,13 +158,13 @@ struct ParameterLayout<Sophus::SE3<Scalar>> {
   static Eigen::Matrix<Scalar, 7, 6> tangent_to_parameters(const G& x) {
     Eigen::Matrix<Scalar, 7, 6> J = Eigen::Matrix<Scalar, 7, 6>::Zero();
     J.template block<4, 3>(0, 3) = Rotation::tangent_to_parameters(x.so3());
-    J.template block<3, 3>(4, 0) = rotation_matrix_transposed<Scalar>(x.unit_quaternion()).transpose();
+    J.template block<3, 3>(4, 0) = detail::rotation_matrix_transposed<Scalar>(x.unit_quaternion()).transpose();
     return J;
   }
   static Eigen::Matrix<Scalar, 6, 7> parameters_to_tangent(const G& x) {
     Eigen::Matrix<Scalar, 6, 7> J = Eigen::Matrix<Scalar, 6, 7>::Zero();
     J.template block<3, 4>(3, 0) = Rotation::parameters_to_tangent(x.so3());
-    J.template block<3, 3>(0, 4) = rotation_matrix_transposed<Scalar>(x.unit_quaternion());
+    J.template block<3, 3>(0, 4) = detail::rotation_matrix_transposed<Scalar>(x.unit_quaternion());
     return J;
   }
 };

@@ -16,11 +16,15 @@ using SO3xR3 = Product<Sophus::SO3<Scalar>, Vector3<Scalar>>;
 template <typename G>
 concept SplitPose = std::same_as<G, SO3xR3<ScalarOf<G>>>;
 
+namespace detail {
+
 template <typename G>
 concept RigidPose = std::same_as<G, Sophus::SE3<ScalarOf<G>>>;
 
+}  // namespace detail
+
 template <typename G>
-concept Pose = SplitPose<G> || RigidPose<G>;
+concept Pose = SplitPose<G> || detail::RigidPose<G>;
 
 /// R_WB.
 template <Pose G>

@@ -58,7 +58,7 @@ struct GroupTraits<Product<G...>> {
   using P = Product<G...>;
   using Scalar = ScalarOf<std::tuple_element_t<0, std::tuple<G...>>>;
   static constexpr int Dof = (DofOf<G> + ...);
-  static constexpr bool commutative = (is_commutative<G> && ...);
+  static constexpr bool commutative = (detail::is_commutative<G> && ...);
   using Vector = Eigen::Matrix<Scalar, Dof, 1>;
   using Square = Eigen::Matrix<Scalar, Dof, Dof>;
 

@@ -24,6 +24,8 @@ template <typename Scalar>
   return R;
 }
 
+namespace detail {
+
 /// The Sophus rotation with this complex number, which is not normalised.
 template <typename Scalar>
 [[nodiscard]] inline Sophus::SO2<Scalar> rotation_from_unit_complex(const Scalar& real, const Scalar& imaginary) {
@@ -41,6 +43,8 @@ template <typename Vector>
   return Scalar(abs(v.norm() - Scalar(1)));
 }
 
+}  // namespace detail
+
 template <typename Real>
 struct GroupTraits<Sophus::SO2<Real>> {
   using Scalar = Real;
@@ -53,12 +57,14 @@ struct GroupTraits<Sophus::SO2<Real>> {
   static G compose(const G& x, const G& y) {
     const auto& a = x.unit_complex();
     const auto& b = y.unit_complex();
-    return rotation_from_unit_complex<Real>(a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x());
+    return detail::rotation_from_unit_complex<Real>(a.x() * b.x() - a.y() * b.y(), a.x() * b.y() + a.y() * b.x());
   }
-  static G inverse(const G& x) { return rotation_from_unit_complex<Real>(x.unit_complex().x(), -x.unit_complex().y()); }
+  static G inverse(const G& x) {
+    return detail::rotation_from_unit_complex<Real>(x.unit_complex().x(), -x.unit_complex().y());
+  }
   static G exp(const Vector& tau) {
     using std::cos, std::sin;
-    return rotation_from_unit_complex<Real>(cos(tau[0]), sin(tau[0]));
+    return detail::rotation_from_unit_complex<Real>(cos(tau[0]), sin(tau[0]));
   }
   static Vector log(const G& x) {
     using std::atan2;
@@ -73,10 +79,10 @@ struct GroupTraits<Sophus::SO2<Real>> {
     const Vector2<Real> d = y.unit_complex() - a;
     return Vector{Real(atan2(a.x() * d.y() - a.y() * d.x(), a.dot(y.unit_complex())))};
   }
-  static Real drift(const G& x) { return distance_from_one(x.unit_complex()); }
+  static Real drift(const G& x) { return detail::distance_from_one(x.unit_complex()); }
   static G normalized(const G& x) {
     const Vector2<Real> z = x.unit_complex().normalized();
-    return rotation_from_unit_complex<Real>(z.x(), z.y());
+    return detail::rotation_from_unit_complex<Real>(z.x(), z.y());
   }
   static Vector left_jacobian(const Vector&) { return Vector::Ones(); }
   static Vector left_jacobian_inverse(const Vector&) { return Vector::Ones(); }
@@ -91,31 +97,34 @@ struct GroupTraits<Sophus::SO3<Real>> {
 
   static G identity() { return G{}; }
   static G compose(const G& x, const G& y) {
-    return rotation_from_unit_quaternion<Real>(quaternion_product<Real>(x.unit_quaternion(), y.unit_quaternion()));
+    return rotation_from_unit_quaternion<Real>(
+        detail::quaternion_product<Real>(x.unit_quaternion(), y.unit_quaternion()));
   }
   static G inverse(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().conjugate()); }
-  static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(tau)); }
+  static G exp(const Vector& tau) { return rotation_from_unit_quaternion<Real>(detail::rotation_exp<Real>(tau)); }
   static G exp(const Real& lambda, const Vector& tau) {
-    return rotation_from_unit_quaternion<Real>(rotation_exp<Real>(lambda, tau));
+    return rotation_from_unit_quaternion<Real>(detail::rotation_exp<Real>(lambda, tau));
   }
-  static Vector log(const G& x) { return rotation_log<Real>(x.unit_quaternion()); }
-  static Vector adjoint(const G& x, const Vector& tau) { return rotate<Real>(x.unit_quaternion(), tau); }
+  static Vector log(const G& x) { return detail::rotation_log<Real>(x.unit_quaternion()); }
+  static Vector adjoint(const G& x, const Vector& tau) { return detail::rotate<Real>(x.unit_quaternion(), tau); }
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
-    return rotate_inverse<Real>(x.unit_quaternion(), tau);
+    return detail::rotate_inverse<Real>(x.unit_quaternion(), tau);
   }
   static Vector bracket(const Vector& a, const Vector& b) { return a.cross(b); }
   static Vector increment(const G& x, const G& y) {
-    return rotation_increment<Real>(x.unit_quaternion(), y.unit_quaternion());
+    return detail::rotation_increment<Real>(x.unit_quaternion(), y.unit_quaternion());
   }
-  static Real drift(const G& x) { return distance_from_one(x.unit_quaternion().coeffs()); }
+  static Real drift(const G& x) { return detail::distance_from_one(x.unit_quaternion().coeffs()); }
   static G normalized(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().normalized()); }
-  static Matrix3<Real> left_jacobian(const Vector& tau) { return rotation_left_jacobian<Real>(tau); }
-  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) { return rotation_left_jacobian_inverse<Real>(tau); }
-  static Matrix3<Real> adjoint_inverse_operator(const G& x) {
-    return rotation_matrix_transposed<Real>(x.unit_quaternion());
+  static Matrix3<Real> left_jacobian(const Vector& tau) { return detail::rotation_left_jacobian<Real>(tau); }
+  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
+    return detail::rotation_left_jacobian_inverse<Real>(tau);
   }
-  static Matrix3<Real> bracket_times(const Vector& a, const Matrix3<Real>& M) { return hat_times<Real>(a, M); }
-  static Matrix3<Real> times_bracket(const Matrix3<Real>& M, const Vector& a) { return times_hat<Real>(M, a); }
+  static Matrix3<Real> adjoint_inverse_operator(const G& x) {
+    return detail::rotation_matrix_transposed<Real>(x.unit_quaternion());
+  }
+  static Matrix3<Real> bracket_times(const Vector& a, const Matrix3<Real>& M) { return detail::hat_times<Real>(a, M); }
+  static Matrix3<Real> times_bracket(const Matrix3<Real>& M, const Vector& a) { return detail::times_hat<Real>(M, a); }
 };
 
 template <typename Real>
@@ -135,23 +144,24 @@ struct GroupTraits<Sophus::SE2<Real>> {
     return make(R_inverse, -turn(R_inverse, x.translation()));
   }
   static G exp(const Vector& tau) {
-    const auto x = planar_motion_exp<Real>(tau.template head<2>(), tau[2]);
-    return make(rotation_from_unit_complex<Real>(x.cosine, x.sine), x.translation);
+    const auto x = detail::planar_motion_exp<Real>(tau.template head<2>(), tau[2]);
+    return make(detail::rotation_from_unit_complex<Real>(x.cosine, x.sine), x.translation);
   }
   static Vector log(const G& x) { return logarithm(x.translation(), SO2::log(x.so2())[0]); }
   /// Ad_x [ρ; θ] = [Rρ − θ i t; θ]
   static Vector adjoint(const G& x, const Vector& tau) {
-    const Vector2<Real> rho = turn(x.so2(), tau.template head<2>()) - tau[2] * quarter_turn<Real>(x.translation());
+    const Vector2<Real> rho =
+        turn(x.so2(), tau.template head<2>()) - tau[2] * detail::quarter_turn<Real>(x.translation());
     return {rho.x(), rho.y(), tau[2]};
   }
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
     const Vector2<Real> rho =
-        turn(SO2::inverse(x.so2()), tau.template head<2>() + tau[2] * quarter_turn<Real>(x.translation()));
+        turn(SO2::inverse(x.so2()), tau.template head<2>() + tau[2] * detail::quarter_turn<Real>(x.translation()));
     return {rho.x(), rho.y(), tau[2]};
   }
   /// [a, b] = [θ_a i ρ_b − θ_b i ρ_a; 0]
   static Vector bracket(const Vector& a, const Vector& b) {
-    const Vector2<Real> rho = quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
+    const Vector2<Real> rho = detail::quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
     return {rho.x(), rho.y(), Real(0)};
   }
   /// Subtracts the translations in the world, where the difference is exact for close x and y.
@@ -162,10 +172,10 @@ struct GroupTraits<Sophus::SE2<Real>> {
   static Real drift(const G& x) { return SO2::drift(x.so2()); }
   static G normalized(const G& x) { return make(SO2::normalized(x.so2()), x.translation()); }
   static Matrix3<Real> left_jacobian(const Vector& tau) {
-    return planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
+    return detail::planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
   }
   static Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
-    return planar_motion_left_jacobian_inverse<Real>(tau.template head<2>(), tau[2]);
+    return detail::planar_motion_left_jacobian_inverse<Real>(tau.template head<2>(), tau[2]);
   }
 
  private:
@@ -176,10 +186,10 @@ struct GroupTraits<Sophus::SE2<Real>> {
     return x;
   }
   static Vector2<Real> turn(const Sophus::SO2<Real>& R, const Vector2<Real>& v) {
-    return R.unit_complex().x() * v + R.unit_complex().y() * quarter_turn<Real>(v);
+    return R.unit_complex().x() * v + R.unit_complex().y() * detail::quarter_turn<Real>(v);
   }
   static Vector logarithm(const Vector2<Real>& t, const Real& theta) {
-    const Vector2<Real> rho = planar_motion_log<Real>(t, theta);
+    const Vector2<Real> rho = detail::planar_motion_log<Real>(t, theta);
     return {rho.x(), rho.y(), theta};
   }
 };
@@ -189,35 +199,36 @@ struct GroupTraits<Sophus::SE3<Real>> {
   using Scalar = Real;
   using G = Sophus::SE3<Real>;
   using Vector = Eigen::Matrix<Real, 6, 1>;
-  using Operator = DualMatrix3<Real>;
+  using Operator = detail::DualMatrix3<Real>;
   static constexpr int Dof = 6;
 
   static G identity() { return G{}; }
   static G compose(const G& x, const G& y) {
     const auto& q = x.unit_quaternion();
-    return make(quaternion_product<Real>(q, y.unit_quaternion()), x.translation() + rotate<Real>(q, y.translation()));
+    return make(detail::quaternion_product<Real>(q, y.unit_quaternion()),
+                x.translation() + detail::rotate<Real>(q, y.translation()));
   }
   static G inverse(const G& x) {
     const auto& q = x.unit_quaternion();
-    return make(q.conjugate(), -rotate_inverse<Real>(q, x.translation()));
+    return make(q.conjugate(), -detail::rotate_inverse<Real>(q, x.translation()));
   }
   static G exp(const Vector& tau) {
-    const auto x = rigid_motion_exp<Real>(tau.template head<3>(), tau.template tail<3>());
+    const auto x = detail::rigid_motion_exp<Real>(tau.template head<3>(), tau.template tail<3>());
     return make(x.rotation, x.translation);
   }
-  static Vector log(const G& x) { return logarithm(x.translation(), rotation_log<Real>(x.unit_quaternion())); }
+  static Vector log(const G& x) { return logarithm(x.translation(), detail::rotation_log<Real>(x.unit_quaternion())); }
   /// Ad_x [ρ; φ] = [Rρ + t × Rφ; Rφ]
   static Vector adjoint(const G& x, const Vector& tau) {
     const auto& q = x.unit_quaternion();
-    const Vector3<Real> phi = rotate<Real>(q, tau.template tail<3>());
-    return join(rotate<Real>(q, tau.template head<3>()) + x.translation().cross(phi), phi);
+    const Vector3<Real> phi = detail::rotate<Real>(q, tau.template tail<3>());
+    return join(detail::rotate<Real>(q, tau.template head<3>()) + x.translation().cross(phi), phi);
   }
   /// Ad_{x⁻¹} [ρ; φ] = [Rᵀ(ρ − t × φ); Rᵀφ]
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
     const auto& q = x.unit_quaternion();
     const Vector3<Real> phi = tau.template tail<3>();
-    return join(rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)),
-                rotate_inverse<Real>(q, phi));
+    return join(detail::rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)),
+                detail::rotate_inverse<Real>(q, phi));
   }
   /// [a, b] = [φ_a × ρ_b + ρ_a × φ_b; φ_a × φ_b]
   static Vector bracket(const Vector& a, const Vector& b) {
@@ -228,29 +239,31 @@ struct GroupTraits<Sophus::SE3<Real>> {
   /// Subtracts the translations in the world, where the difference is exact for close x and y, however large they are.
   static Vector increment(const G& x, const G& y) {
     const auto& q = x.unit_quaternion();
-    return logarithm(rotate_inverse<Real>(q, y.translation() - x.translation()),
-                     rotation_increment<Real>(q, y.unit_quaternion()));
+    return logarithm(detail::rotate_inverse<Real>(q, y.translation() - x.translation()),
+                     detail::rotation_increment<Real>(q, y.unit_quaternion()));
   }
-  static Real drift(const G& x) { return distance_from_one(x.unit_quaternion().coeffs()); }
+  static Real drift(const G& x) { return detail::distance_from_one(x.unit_quaternion().coeffs()); }
   static G normalized(const G& x) { return make(x.unit_quaternion().normalized(), x.translation()); }
   static Operator left_jacobian(const Vector& tau) {
-    return rigid_motion_left_jacobian<Real>(tau.template head<3>(), tau.template tail<3>());
+    return detail::rigid_motion_left_jacobian<Real>(tau.template head<3>(), tau.template tail<3>());
   }
   static Operator left_jacobian_inverse(const Vector& tau) {
-    return rigid_motion_left_jacobian_inverse<Real>(tau.template head<3>(), tau.template tail<3>());
+    return detail::rigid_motion_left_jacobian_inverse<Real>(tau.template head<3>(), tau.template tail<3>());
   }
   /// [Rᵀ −Rᵀt^; 0 Rᵀ]
   static Operator adjoint_inverse_operator(const G& x) {
-    const Matrix3<Real> R_transposed = rotation_matrix_transposed<Real>(x.unit_quaternion());
-    return {R_transposed, -times_hat<Real>(R_transposed, x.translation())};
+    const Matrix3<Real> R_transposed = detail::rotation_matrix_transposed<Real>(x.unit_quaternion());
+    return {R_transposed, -detail::times_hat<Real>(R_transposed, x.translation())};
   }
   static Operator bracket_times(const Vector& a, const Operator& M) {
     const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
-    return {hat_times<Real>(phi, M.real), hat_times<Real>(phi, M.dual) + hat_times<Real>(rho, M.real)};
+    return {detail::hat_times<Real>(phi, M.real),
+            detail::hat_times<Real>(phi, M.dual) + detail::hat_times<Real>(rho, M.real)};
   }
   static Operator times_bracket(const Operator& M, const Vector& a) {
     const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
-    return {times_hat<Real>(M.real, phi), times_hat<Real>(M.dual, phi) + times_hat<Real>(M.real, rho)};
+    return {detail::times_hat<Real>(M.real, phi),
+            detail::times_hat<Real>(M.dual, phi) + detail::times_hat<Real>(M.real, rho)};
   }
 
  private:
@@ -270,7 +283,7 @@ struct GroupTraits<Sophus::SE3<Real>> {
     return tau;
   }
   static Vector logarithm(const Vector3<Real>& t, const Vector3<Real>& phi) {
-    return join(rigid_motion_log<Real>(t, phi), phi);
+    return join(detail::rigid_motion_log<Real>(t, phi), phi);
   }
 };
 

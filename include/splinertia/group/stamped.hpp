@@ -17,6 +17,8 @@ struct Stamped {
   G value;
 };
 
+namespace detail {
+
 /// Has a time and a value on a Lie group, as Stamped and what derives from it.
 template <typename T>
 concept StampedValue =
@@ -30,5 +32,7 @@ using GroupOf = std::remove_cvref_t<decltype(std::declval<const T&>().value)>;
 template <typename R>
 concept StampedPoses = std::ranges::random_access_range<const R> && std::ranges::sized_range<const R> &&
                        StampedValue<std::ranges::range_value_t<R>>;
+
+}  // namespace detail
 
 }  // namespace splinertia

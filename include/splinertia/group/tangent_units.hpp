@@ -6,7 +6,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Calls f(first row, number of rows) for each part of a tangent vector that has one unit: translation and rotation of
 /// a rigid motion, and the parts of each factor of a product. It recognises types with Sophus' accessors so3() and
@@ -24,10 +24,10 @@ template <typename... F>
 struct TangentUnits<Product<F...>> {
   static void for_each(const auto& f) {
     using G = Product<F...>;
-    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+    for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
       TangentUnits<Factor>::for_each([&](int first, int rows) { f(G::template offset<Index> + first, rows); });
     });
   }
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

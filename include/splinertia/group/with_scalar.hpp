@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// The same group over another scalar: float for double, ceres::Jet for derivatives, Lanes (a SIMD pack) for several
+/// The same group over another scalar: float for double, ceres::Jet for derivatives, SimdPack (a SIMD pack) for several
 /// elements at once.
 #pragma once
 
@@ -36,11 +36,13 @@ struct WithScalarOf<Product<F...>, S> {
 template <typename G, typename S>
 using WithScalar = typename WithScalarOf<G, S>::type;
 
+namespace detail {
+
 /// G also works over the SIMD pack L.
 template <typename G, typename L>
-concept HasLanes = HasParameterLayout<G> && requires { typename WithScalarOf<G, L>::type; };
+concept HasSimdPack = HasParameterLayout<G> && requires { typename WithScalarOf<G, L>::type; };
 
-/// x with numbers of type S, each rounded once. If S is Lanes, every lane holds x.
+/// x with numbers of type S, each rounded once. If S is SimdPack, every lane holds x.
 template <typename S, HasParameterLayout G>
   requires requires { typename WithScalarOf<G, S>::type; }
 [[nodiscard]] inline WithScalar<G, S> with_scalar(const G& x) {
@@ -50,5 +52,7 @@ template <typename S, HasParameterLayout G>
   for (std::size_t i = 0; i < numbers.size(); ++i) cast[i] = S(numbers[i]);
   return read_parameters<WithScalar<G, S>>(cast.data());
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

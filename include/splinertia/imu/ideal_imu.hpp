@@ -35,7 +35,7 @@ template <Pose G, int D>
   const auto& q_BI = mounting.R_BI.unit_quaternion();
   const auto& l = mounting.p_BI;
   const Vector3<Scalar> at_imu = force + angular_acceleration(motion).cross(l) + omega.cross(omega.cross(l));
-  return {rotate_inverse<Scalar>(q_BI, omega), rotate_inverse<Scalar>(q_BI, at_imu)};
+  return {detail::rotate_inverse<Scalar>(q_BI, omega), detail::rotate_inverse<Scalar>(q_BI, at_imu)};
 }
 
 namespace detail {

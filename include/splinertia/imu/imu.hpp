@@ -8,26 +8,30 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Whether a type is a bare error term, which needs an ErrorModel around it.
 template <typename T>
 inline constexpr bool is_term = ErrorTerm<T> && !SensorModel<T> && !ClockModel<T>;
+
+}  // namespace detail
 
 /// The errors of an IMU: of its two sensors and of the time stamps of its samples. Write Imu{gyro, accel} or
 /// Imu{gyro, accel, stamps}.
 template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>, typename Stamps = ErrorModel<>>
 struct Imu {
-  static_assert(!is_term<Gyro> && !is_term<Accel> && !is_term<Stamps>,
+  static_assert(!detail::is_term<Gyro> && !detail::is_term<Accel> && !detail::is_term<Stamps>,
                 "an Imu has an ErrorModel for each sensor: Imu{ErrorModel{WhiteNoise{0.01}}, ErrorModel{}}");
   static_assert(
-      SensorModel<Gyro> || is_term<Gyro>,
+      detail::SensorModel<Gyro> || detail::is_term<Gyro>,
       "the first part of an Imu is its gyroscope's ErrorModel; errors of time stamps (ClockOffset, StampJitter, …) "
       "are the third: Imu{gyro, accel, stamps}");
   static_assert(
-      SensorModel<Accel> || is_term<Accel>,
+      detail::SensorModel<Accel> || detail::is_term<Accel>,
       "the second part of an Imu is its accelerometer's ErrorModel; errors of time stamps (ClockOffset, StampJitter, "
       "…) are the third: Imu{gyro, accel, stamps}");
   static_assert(
-      ClockModel<Stamps> || is_term<Stamps>,
+      detail::ClockModel<Stamps> || detail::is_term<Stamps>,
       "the third part of an Imu is the ErrorModel of its stamps (ClockOffset, StampJitter, …): Imu{gyro, accel, "
       "stamps}");
 

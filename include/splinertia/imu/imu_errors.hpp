@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/detail/run_clock.hpp>
 #include <splinertia/imu/imu.hpp>
 #include <splinertia/imu/imu_sensor_sample.hpp>
@@ -25,7 +26,7 @@ class ImuErrors {
   using Reading = std::conditional_t<Clock::has_stamps, StampedImuReading<Scalar, Time>, BasicImuReading<Scalar, Time>>;
 
   /// `run` names the random numbers: StreamKey(seed), or a part of it if a run has several IMUs.
-  [[gnu::always_inline]] ImuErrors(const Sensors& imu, StreamKey run)
+  SPLINERTIA_ALWAYS_INLINE ImuErrors(const Sensors& imu, StreamKey run)
       : ImuErrors(imu, imu.gyro.template start<3, Generator>(run / "gyro"),
                   imu.accel.template start<3, Generator>(run / "accel"),
                   imu.stamps.template start<Stamp<Scalar>::axes, Generator>(run / "stamps")) {}
@@ -34,8 +35,8 @@ class ImuErrors {
   /// sampling interval). Returns false if the sample is dropped; `reading` is then unchanged. Stamps increase strictly:
   /// a stamp that its errors would put before next_stamp() of the last one becomes next_stamp(). Requires interval > 0.
   /// Throws std::invalid_argument for a stamp that is not finite.
-  [[gnu::always_inline]] bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
-                                    Reading& reading) {
+  SPLINERTIA_ALWAYS_INLINE bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
+                                      Reading& reading) {
     const auto now = clock_.sample_at(time, interval);
     ImuSensorSample<Scalar> gyro{{ideal.gyro, Vector3<Scalar>::Zero(), interval, now.first, now.elapsed}, ideal};
     ImuSensorSample<Scalar> accel{{ideal.accel, Vector3<Scalar>::Zero(), interval, now.first, now.elapsed}, ideal};
@@ -50,18 +51,18 @@ class ImuErrors {
   }
 
  private:
-  using GyroState = StateOfModel<decltype(Sensors::gyro), 3, Generator>;
-  using AccelState = StateOfModel<decltype(Sensors::accel), 3, Generator>;
-  static_assert(AppliesTo<decltype(Sensors::gyro), ImuSensorSample<Scalar>&, GyroState> &&
-                    AppliesTo<decltype(Sensors::accel), ImuSensorSample<Scalar>&, AccelState> &&
-                    AppliesTo<decltype(Sensors::stamps), Stamp<Scalar>&, typename Clock::State>,
+  using GyroState = detail::StateOfModel<decltype(Sensors::gyro), 3, Generator>;
+  using AccelState = detail::StateOfModel<decltype(Sensors::accel), 3, Generator>;
+  static_assert(detail::AppliesTo<decltype(Sensors::gyro), ImuSensorSample<Scalar>&, GyroState> &&
+                    detail::AppliesTo<decltype(Sensors::accel), ImuSensorSample<Scalar>&, AccelState> &&
+                    detail::AppliesTo<decltype(Sensors::stamps), Stamp<Scalar>&, typename Clock::State>,
                 "the error terms use another scalar type than the motion (WhiteNoise{0.01} uses double, "
                 "WhiteNoise{0.01F} float), "
                 "or are not for sensors with three axes");
 
   // States are moved in, not constructed in place: once a function that is not inlined has had the address of a state,
   // the state can no longer be kept in registers.
-  [[gnu::always_inline]] ImuErrors(const Sensors& imu, GyroState gyro, AccelState accel, typename Clock::State stamps)
+  SPLINERTIA_ALWAYS_INLINE ImuErrors(const Sensors& imu, GyroState gyro, AccelState accel, typename Clock::State stamps)
       : imu_(imu), gyro_(std::move(gyro)), accel_(std::move(accel)), clock_(std::move(stamps)) {}
 
   [[no_unique_address]] Sensors imu_;

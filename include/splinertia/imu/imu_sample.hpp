@@ -30,17 +30,19 @@ struct ImuIncrement {
 
 /// Has the members of an ImuSample, of any scalar and any type of time.
 template <typename S>
-concept ImuSampleLike = WithTime<S> && requires(const S& s) {
+concept ImuSampleLike = detail::WithTime<S> && requires(const S& s) {
   requires std::remove_cvref_t<decltype(s.gyro)>::SizeAtCompileTime == 3;
   requires std::remove_cvref_t<decltype(s.accel)>::SizeAtCompileTime == 3;
 };
 
 /// Has the members of an ImuIncrement, of any scalar and any type of time.
 template <typename S>
-concept ImuIncrementLike = WithTime<S> && requires(const S& s) {
+concept ImuIncrementLike = detail::WithTime<S> && requires(const S& s) {
   requires std::remove_cvref_t<decltype(s.delta_angle)>::SizeAtCompileTime == 3;
   requires std::remove_cvref_t<decltype(s.delta_velocity)>::SizeAtCompileTime == 3;
 };
+
+namespace detail {
 
 /// Has a member `time` that converts to this type. Bare integers are not times, because their unit is unknown.
 template <typename S, typename Time>
@@ -62,5 +64,7 @@ concept ImuIncrementOf = HasTime<S, Time> && requires(const S& s) {
   { s.delta_angle } -> std::convertible_to<Vector3<Scalar>>;
   { s.delta_velocity } -> std::convertible_to<Vector3<Scalar>>;
 };
+
+}  // namespace detail
 
 }  // namespace splinertia

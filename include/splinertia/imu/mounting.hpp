@@ -19,6 +19,8 @@ Mounting(const Sophus::SO3<Scalar>&) -> Mounting<Scalar>;
 template <typename Scalar, typename Position>
 Mounting(const Sophus::SO3<Scalar>&, const Position&) -> Mounting<Scalar>;
 
+namespace detail {
+
 /// Throws std::invalid_argument unless the mounting is finite.
 template <typename Scalar>
 void require_finite(const char* whose, const Mounting<Scalar>& mounting) {
@@ -29,15 +31,17 @@ void require_finite(const char* whose, const Mounting<Scalar>& mounting) {
 /// The mounting with numbers of type S.
 template <typename S, typename Scalar>
 [[nodiscard]] inline Mounting<S> with_scalar(const Mounting<Scalar>& mounting) {
-  return {splinertia::with_scalar<S>(mounting.R_BI), splinertia::with_scalar<S>(mounting.p_BI)};
+  return {splinertia::detail::with_scalar<S>(mounting.R_BI), splinertia::detail::with_scalar<S>(mounting.p_BI)};
 }
+
+}  // namespace detail
 
 /// The pose T_WI of the IMU on a body with pose T_WB: R_WB R_BI, p_WB + R_WB p_BI.
 template <Pose G>
 [[nodiscard]] G imu_pose(const G& body, const Mounting<ScalarOf<G>>& mounting) {
   using SO3 = GroupTraits<Sophus::SO3<ScalarOf<G>>>;
   return make_pose<G>(SO3::compose(rotation(body), mounting.R_BI),
-                      position(body) + rotate<ScalarOf<G>>(rotation(body).unit_quaternion(), mounting.p_BI));
+                      position(body) + detail::rotate<ScalarOf<G>>(rotation(body).unit_quaternion(), mounting.p_BI));
 }
 
 }  // namespace splinertia

@@ -8,6 +8,7 @@
 #include <optional>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/flatten.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/imu/detail/ideal_block.hpp>
@@ -33,6 +34,8 @@ struct SimulationOptions {
   std::optional<Time> start{};                           ///< of the first sample; default: start of the motion
   std::optional<Time> end{};                             ///< no sample after it; default: end of the motion
 };
+
+namespace detail {
 
 /// The samples of an IMU on a moving body: a range that computes each sample when it is reached, in constant memory.
 /// Each begin() starts again at the first sample. Mount is Mounting<Scalar> if the IMU is not at the body frame. See
@@ -69,12 +72,12 @@ class Simulation {
  public:
   using Iterator = detail::RunIterator<Run>;
 
-  [[nodiscard, gnu::always_inline]] Iterator begin() const {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Iterator begin() const {
     // Moved, because a function that is not inlined has had the address of `first`: see ImuErrors.
     Iterator first = first_sample();
     return Iterator(std::move(first));
   }
-  [[nodiscard, gnu::always_inline]] Iterator end() const { return {}; }
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Iterator end() const { return {}; }
 
  private:
   // The state of one iteration.
@@ -82,17 +85,17 @@ class Simulation {
    public:
     using Reading = Simulation::Reading;
 
-    [[gnu::always_inline]] explicit Run(const Simulation& simulation)
+    SPLINERTIA_ALWAYS_INLINE explicit Run(const Simulation& simulation)
         : simulation_(&simulation),
           interval_(simulation.clock_.interval()),
           errors_(simulation.sensors_, simulation.key_) {}
 
     [[nodiscard]] const Reading& reading() const { return reading_; }
 
-    [[nodiscard, gnu::always_inline]] std::size_t next(std::size_t index) {
+    [[nodiscard]] SPLINERTIA_ALWAYS_INLINE std::size_t next(std::size_t index) {
       const Simulation& s = *simulation_;
       for (; index < s.size(); ++index) {
-        if constexpr (LaneCurve<Trajectory>) {
+        if constexpr (PackedCurve<Trajectory>) {
           if (!ahead_.holds(index)) {
             const std::size_t count = (std::min)(s.size() - index, ahead_.capacity);
             if (!ahead_.fill(s.motion_, s.gravity_, s.mounting_, s.clock_.rate(), index, count, s.clock_)) [[unlikely]]
@@ -102,7 +105,7 @@ class Simulation {
         } else {
           const Time time = s.time(index);
           const auto ideal = s.ideal(time);
-          if (!splinertia::is_finite(finiteness(ideal))) [[unlikely]]
+          if (!splinertia::detail::is_finite(finiteness(ideal))) [[unlikely]]
             s.refuse_sample(index);
           if (errors_.apply(time, ideal, interval_, reading_)) return index;
         }
@@ -116,7 +119,7 @@ class Simulation {
     struct Ahead {
       using type = Nothing;
     };
-    template <LaneCurve C>
+    template <PackedCurve C>
     struct Ahead<C> {
       using type = IdealImuBlock<C>;
     };
@@ -129,9 +132,9 @@ class Simulation {
   };
 
   // Not inlined, so that loops over the samples contain the code of a sample only once.
-  [[nodiscard, gnu::noinline]] Iterator first_sample() const { return Iterator(std::in_place, *this); }
+  [[nodiscard]] SPLINERTIA_NOINLINE Iterator first_sample() const { return Iterator(std::in_place, *this); }
 
-  [[nodiscard, gnu::always_inline]] ImuMeasurement<Scalar> ideal(Time time) const {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE ImuMeasurement<Scalar> ideal(Time time) const {
     return flattened<Scalar>([this, time] {
       if constexpr (std::is_same_v<Mount, detail::NotMounted>) {
         return ideal_imu(motion_.template evaluate<2>(time), gravity_);
@@ -142,23 +145,24 @@ class Simulation {
   }
 
   // Throws if the motion gives a reading that is not finite at one of the samples first … first + count − 1.
-  [[gnu::cold, gnu::noinline]] void check(std::size_t first, std::size_t count) const {
+  SPLINERTIA_COLD void check(std::size_t first, std::size_t count) const {
     for (std::size_t i = first; i < first + count; ++i) {
       const ImuMeasurement<Scalar> m = ideal(time(i));
       for (const auto& [name, reading] : {std::pair("gyro", m.gyro), std::pair("accel", m.accel)}) {
         for (int axis = 0; axis < 3; ++axis) {
-          if (splinertia::is_finite(reading[axis])) continue;
+          if (splinertia::detail::is_finite(reading[axis])) continue;
           refuse<std::invalid_argument>("simulate: the motion gives ", name, ' ', "xyz"[axis], " = ", reading[axis],
-                                        " at sample ", i, ", time ", printable(time(i)), ", expected a finite number");
+                                        " at sample ", i, ", time ", seconds_or_ticks(time(i)),
+                                        ", expected a finite number");
         }
       }
     }
   }
   // Does not return, so that the calling loop keeps nothing alive across the call.
-  [[noreturn, gnu::cold, gnu::noinline]] void refuse_sample(std::size_t i) const {
+  [[noreturn]] SPLINERTIA_COLD void refuse_sample(std::size_t i) const {
     check(i, 1);
     refuse<std::invalid_argument>("simulate: the motion gives readings whose sum overflows at sample ", i, ", time ",
-                                  printable(time(i)));
+                                  seconds_or_ticks(time(i)));
   }
 
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
@@ -168,6 +172,8 @@ class Simulation {
   detail::SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };
+
+}  // namespace detail
 
 /// What an IMU in the body frame measures along a motion, with the errors of `sensors`:
 ///
@@ -185,9 +191,9 @@ class Simulation {
 /// finite.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
-[[nodiscard]] Simulation<Motion, Sensors, Generator> simulate(
+[[nodiscard]] detail::Simulation<Motion, Sensors, Generator> simulate(
     Motion&& motion, const Sensors& sensors,
-    const typename Simulation<Motion, Sensors, Generator>::Options& options = {}) {
+    const typename detail::Simulation<Motion, Sensors, Generator>::Options& options = {}) {
   return {std::forward<Motion>(motion), sensors, options};
 }
 
@@ -200,9 +206,9 @@ template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors, typename Scalar>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group> &&
            std::same_as<Scalar, ScalarOf<typename std::remove_cvref_t<Motion>::Group>>)
-[[nodiscard]] Simulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate(
+[[nodiscard]] detail::Simulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate(
     Motion&& motion, const Sensors& sensors, const Mounting<Scalar>& mounting,
-    const typename Simulation<Motion, Sensors, Generator>::Options& options = {}) {
+    const typename detail::Simulation<Motion, Sensors, Generator>::Options& options = {}) {
   return {std::forward<Motion>(motion), sensors, options, mounting};
 }
 

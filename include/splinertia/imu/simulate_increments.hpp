@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/imu/detail/mean_imu.hpp>
 #include <splinertia/imu/detail/run_iterator.hpp>
@@ -25,6 +26,8 @@ struct ImuIncrementReading : ImuIncrement<Scalar, Time> {
   Vector3<Scalar> accel_bias;  ///< the same in delta_velocity, m/s²
   Time true_time;              ///< when the interval ended; differs from `time` if the stamps have errors
 };
+
+namespace detail {
 
 /// The increments of an IMU on a moving body: a range that computes each when it is reached, in constant memory. Each
 /// begin() starts again at the first one. See simulate_increments().
@@ -78,7 +81,7 @@ class IncrementSimulation {
       for (; index < s.size(); ++index) {
         const Time begin = s.time(index), end = s.time(index + 1);
         const auto mean = mean_(s.motion_, s.gravity_, s.mounting_, begin, end);
-        if (!splinertia::is_finite(finiteness(mean))) [[unlikely]]
+        if (!splinertia::detail::is_finite(finiteness(mean))) [[unlikely]]
           s.refuse_increment(index);
         typename Errors::Reading with_errors;
         if (!errors_.apply(end, mean, s.clock_.interval(), with_errors)) continue;
@@ -101,9 +104,9 @@ class IncrementSimulation {
     Reading reading_;
   };
 
-  [[noreturn, gnu::cold, gnu::noinline]] void refuse_increment(std::size_t i) const {
+  [[noreturn]] SPLINERTIA_COLD void refuse_increment(std::size_t i) const {
     refuse<std::invalid_argument>("simulate_increments: the motion gives readings that are not finite in increment ", i,
-                                  ", time ", printable(time(i)), " to ", printable(time(i + 1)),
+                                  ", time ", seconds_or_ticks(time(i)), " to ", seconds_or_ticks(time(i + 1)),
                                   ", expected finite numbers");
   }
 
@@ -114,6 +117,8 @@ class IncrementSimulation {
   detail::SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };
+
+}  // namespace detail
 
 /// What an IMU in the body frame delivers along a motion if it integrates its readings, with the errors of `sensors`:
 ///
@@ -133,9 +138,9 @@ class IncrementSimulation {
 /// std::invalid_argument as simulate() does.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
-[[nodiscard]] IncrementSimulation<Motion, Sensors, Generator> simulate_increments(
+[[nodiscard]] detail::IncrementSimulation<Motion, Sensors, Generator> simulate_increments(
     Motion&& motion, const Sensors& sensors,
-    const typename IncrementSimulation<Motion, Sensors, Generator>::Options& options = {}) {
+    const typename detail::IncrementSimulation<Motion, Sensors, Generator>::Options& options = {}) {
   return {std::forward<Motion>(motion), sensors, options};
 }
 
@@ -143,9 +148,9 @@ template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors, typename Scalar>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group> &&
            std::same_as<Scalar, ScalarOf<typename std::remove_cvref_t<Motion>::Group>>)
-[[nodiscard]] IncrementSimulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate_increments(
+[[nodiscard]] detail::IncrementSimulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate_increments(
     Motion&& motion, const Sensors& sensors, const Mounting<Scalar>& mounting,
-    const typename IncrementSimulation<Motion, Sensors, Generator>::Options& options = {}) {
+    const typename detail::IncrementSimulation<Motion, Sensors, Generator>::Options& options = {}) {
   return {std::forward<Motion>(motion), sensors, options, mounting};
 }
 

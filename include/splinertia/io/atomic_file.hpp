@@ -49,14 +49,16 @@ class AtomicFile {
       text.remove_prefix(copied);
     }
   }
-  void append_integer(std::int64_t value) { advance(integer_to_chars(room(number_text_size), value)); }
+  void append_integer(std::int64_t value) { advance(detail::integer_to_chars(room(number_text_size), value)); }
   /// Throws std::invalid_argument for NaN and infinity, which no reader would take.
   void append_real(double value) {
-    if (!is_finite(value)) refuse(value);
+    if (!detail::is_finite(value)) refuse(value);
     advance(real_to_chars(room(number_text_size), value));
   }
   /// Seconds with nine decimals, exactly.
-  void append_seconds(std::chrono::nanoseconds time) { advance(seconds_to_chars(room(number_text_size), time)); }
+  void append_seconds(std::chrono::nanoseconds time) {
+    advance(detail::seconds_to_chars(room(number_text_size), time));
+  }
 
   /// Room for `size` characters at the end of the file. The caller writes them and then calls advance() with their end.
   /// Valid until the next call of any other member.
@@ -71,7 +73,8 @@ class AtomicFile {
     char text[number_text_size];
     const std::string_view name(text, static_cast<std::size_t>(real_to_chars(text, value) - text));
     abandon();
-    throw std::invalid_argument(message(path().string(), ": cannot write ", name, ", expected a finite number"));
+    throw std::invalid_argument(
+        detail::message(path().string(), ": cannot write ", name, ", expected a finite number"));
   }
 
   /// Overwrites the first text.size() characters of the file. Requires that the file is at least as long.

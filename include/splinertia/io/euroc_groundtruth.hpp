@@ -26,6 +26,8 @@ struct EurocState : Stamped<SO3xR3<double>> {
   Eigen::Vector3d velocity, gyro_bias, accel_bias;
 };
 
+namespace detail {
+
 inline constexpr std::array<std::string_view, 17> euroc_groundtruth_columns{"timestamp [ns]",
                                                                             "p_RS_R_x [m]",
                                                                             "p_RS_R_y [m]",
@@ -63,21 +65,24 @@ inline const TableLayout euroc_poses_layout = [] {
   return {track.next(row, {row[4], row[5], row[6], row[7]}), row.vector(1)};
 }
 
+}  // namespace detail
+
 /// Reads the states of a EuRoC ground truth file of 17 columns, separated by commas or blanks. Quaternions are
 /// normalised and get continuous signs (QuaternionTrack). Throws std::runtime_error with file:line for the first error
 /// (StampedTable).
 [[nodiscard]] inline std::vector<EurocState> read_euroc_groundtruth(const std::filesystem::path& path) {
   return read_stamped_table(
-      path, euroc_groundtruth_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
-        return EurocState{{row.time(), euroc_pose(row, track)}, row.vector(8), row.vector(11), row.vector(14)};
+      path, detail::euroc_groundtruth_layout, [track = detail::QuaternionTrack{}](const StampedTable& row) mutable {
+        return EurocState{{row.time(), detail::euroc_pose(row, track)}, row.vector(8), row.vector(11), row.vector(14)};
       });
 }
 
 /// Reads the poses T_WB [m] of a EuRoC ground truth file of 8 or 17 columns, otherwise as read_euroc_groundtruth.
 [[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_euroc_poses(const std::filesystem::path& path) {
-  return read_stamped_table(path, euroc_poses_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
-    return Stamped<SO3xR3<double>>{row.time(), euroc_pose(row, track)};
-  });
+  return read_stamped_table(path, detail::euroc_poses_layout,
+                            [track = detail::QuaternionTrack{}](const StampedTable& row) mutable {
+                              return Stamped<SO3xR3<double>>{row.time(), detail::euroc_pose(row, track)};
+                            });
 }
 
 /// Writes EuRoC ground truth of 17 columns state by state, in constant memory. The file appears with commit() and reads
@@ -85,11 +90,11 @@ inline const TableLayout euroc_poses_layout = [] {
 /// what read_euroc_groundtruth would refuse: no states, NaN, times that do not increase.
 class EurocGroundtruthWriter {
  public:
-  explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, euroc_groundtruth_layout) {}
+  explicit EurocGroundtruthWriter(const std::filesystem::path& path) : table_(path, detail::euroc_groundtruth_layout) {}
 
   /// One state: an EurocState or any type with its members, over any time, with any pose of doubles.
-  template <StampedValue State>
-    requires Pose<GroupOf<State>>
+  template <detail::StampedValue State>
+    requires Pose<detail::GroupOf<State>>
   void append(const State& state) {
     const Eigen::Quaterniond& q = rotation(state.value).unit_quaternion();
     table_.append(state.time, position(state.value), Eigen::Vector4d{q.w(), q.x(), q.y(), q.z()}, state.velocity,

@@ -18,6 +18,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 inline constexpr std::array<std::string_view, 7> euroc_imu_columns{
     "timestamp [ns]",    "w_RS_S_x [rad s^-1]", "w_RS_S_y [rad s^-1]", "w_RS_S_z [rad s^-1]",
     "a_RS_S_x [m s^-2]", "a_RS_S_y [m s^-2]",   "a_RS_S_z [m s^-2]"};
@@ -29,11 +31,13 @@ inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
                                           .separator = ',',
                                           .header = true};
 
+}  // namespace detail
+
 /// Reads the samples of a EuRoC IMU file; commas or blanks may separate its columns. Throws std::runtime_error with
 /// file:line for the first error (StampedTable).
 [[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_euroc_imu(
     const std::filesystem::path& path) {
-  return read_stamped_table(path, euroc_imu_layout, [](const StampedTable& row) {
+  return read_stamped_table(path, detail::euroc_imu_layout, [](const StampedTable& row) {
     return ImuSample<double, std::chrono::nanoseconds>{row.time(), row.vector(1), row.vector(4)};
   });
 }
@@ -43,7 +47,7 @@ inline const TableLayout euroc_imu_layout{.format = "EuRoC IMU samples",
 /// read_euroc_imu would refuse: no samples, NaN, times that do not increase.
 class EurocImuWriter {
  public:
-  explicit EurocImuWriter(const std::filesystem::path& path) : table_(path, euroc_imu_layout) {}
+  explicit EurocImuWriter(const std::filesystem::path& path) : table_(path, detail::euroc_imu_layout) {}
 
   /// One sample: an ImuSample or anything with its members, over any time; seconds are rounded to the nearest ns.
   void append(const ImuSampleLike auto& sample) { table_.append(sample.time, sample.gyro, sample.accel); }

@@ -79,7 +79,7 @@ class FileSet {
   void expect_not_kept(const std::filesystem::path& path, std::string_view expected = "another path") const {
     if (!keeps(path)) return;
     throw std::invalid_argument(
-        message(path.string(), ": is read by this run and would be replaced by it, expected ", expected));
+        detail::message(path.string(), ": is read by this run and would be replaced by it, expected ", expected));
   }
 
   /// Takes a complete file. Called by commit(FileSet&) of writers. Throws std::invalid_argument if the set already has
@@ -89,7 +89,7 @@ class FileSet {
     const auto path = std::filesystem::weakly_canonical(file.target());
     for (const auto& other : files_) {
       if (std::filesystem::weakly_canonical(other.target()) != path) continue;
-      throw std::invalid_argument(message(path.string(), ": is written twice, expected a path for each file"));
+      throw std::invalid_argument(detail::message(path.string(), ": is written twice, expected a path for each file"));
     }
     files_.push_back(std::move(file));
   }
@@ -114,7 +114,7 @@ class FileSet {
   static void remove_now(const std::filesystem::path& path) {
     std::error_code error;
     std::filesystem::remove(path, error);
-    if (error) throw WriteError(message(path.string(), ": cannot remove the old file: ", error.message()));
+    if (error) throw WriteError(detail::message(path.string(), ": cannot remove the old file: ", error.message()));
   }
 
   std::vector<detail::PendingFile> files_;

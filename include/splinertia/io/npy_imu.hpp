@@ -15,29 +15,33 @@
 #include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/io/detail/file_stamps.hpp>
 #include <splinertia/io/detail/little_endian.hpp>
+#include <splinertia/io/detail/npy.hpp>
 #include <splinertia/io/file_set.hpp>
-#include <splinertia/io/npy.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <string_view>
 #include <vector>
 
 namespace splinertia {
 
+namespace detail {
+
 /// Time [ns], angular velocity [rad/s], specific force [m/s²]; little-endian on every machine.
 inline constexpr const char* npy_imu_dtype = "[('time_ns', '<i8'), ('gyro', '<f8', (3,)), ('accel', '<f8', (3,))]";
 inline constexpr std::size_t npy_imu_size = 7 * 8;  // bytes
+
+}  // namespace detail
 
 /// Writes IMU samples as a NumPy array one by one, in constant memory. The file appears with commit(). Members throw
 /// std::runtime_error if the file cannot be written, and std::invalid_argument for what read_npy_imu would refuse: no
 /// samples, NaN, times that do not increase.
 class NpyImuWriter {
  public:
-  explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, npy_imu_dtype) {}
+  explicit NpyImuWriter(const std::filesystem::path& path) : npy_(path, detail::npy_imu_dtype) {}
 
   /// One sample: an ImuSample or anything with its members, over any time; seconds are rounded to the nearest ns.
   void append(const ImuSampleLike auto& sample) {
     const std::chrono::nanoseconds time = stamps_.next(npy_.file(), sample.time);
-    char* end = store_little_endian(npy_.room(npy_imu_size), std::int64_t{time.count()});
+    char* end = detail::store_little_endian(npy_.room(detail::npy_imu_size), std::int64_t{time.count()});
     end = store(end, sample.gyro);
     npy_.advance(store(end, sample.accel));
   }
@@ -49,13 +53,13 @@ class NpyImuWriter {
   [[nodiscard]] char* store(char* to, const auto& vector) {
     for (int axis = 0; axis < 3; ++axis) {
       const double value = vector[axis];
-      if (!is_finite(value)) npy_.file().refuse(value);
-      to = store_little_endian(to, value);
+      if (!detail::is_finite(value)) npy_.file().refuse(value);
+      to = detail::store_little_endian(to, value);
     }
     return to;
   }
 
-  NpyWriter npy_;
+  detail::NpyWriter npy_;
   detail::FileStamps stamps_;
 };
 
@@ -72,14 +76,14 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
 /// with file and byte or row for the first error: what NpyReader refuses, NaN, infinity, times that do not increase.
 [[nodiscard]] inline std::vector<ImuSample<double, std::chrono::nanoseconds>> read_npy_imu(
     const std::filesystem::path& path) {
-  NpyReader file(path, npy_imu_dtype, npy_imu_size);
+  detail::NpyReader file(path, detail::npy_imu_dtype, detail::npy_imu_size);
   std::vector<ImuSample<double, std::chrono::nanoseconds>> samples;
   samples.reserve(file.expected_rows());
   const auto vector = [&](const char* name, std::size_t offset) {
     Eigen::Vector3d result;
     for (int axis = 0; axis < 3; ++axis) {
-      result[axis] = load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
-      if (is_finite(result[axis])) continue;
+      result[axis] = detail::load_little_endian<double>(file.record() + offset + 8 * static_cast<std::size_t>(axis));
+      if (detail::is_finite(result[axis])) continue;
       char text[number_text_size];
       const std::string_view value(text, static_cast<std::size_t>(real_to_chars(text, result[axis]) - text));
       file.fail_row(name, '[', axis, "] is ", value, ", expected a finite number");
@@ -87,7 +91,7 @@ void write_npy_imu(const std::filesystem::path& path, Samples&& samples) {
     return result;
   };
   while (file.next()) {
-    const std::chrono::nanoseconds time{load_little_endian<std::int64_t>(file.record())};
+    const std::chrono::nanoseconds time{detail::load_little_endian<std::int64_t>(file.record())};
     if (!samples.empty() && time <= samples.back().time) {
       file.fail_row("time_ns ", time.count(), " follows ", samples.back().time.count(), ", expected increasing times");
     }

@@ -35,6 +35,8 @@ struct Parsed {
 inline constexpr int number_text_size = 32;
 
 #if !defined(__cpp_lib_to_chars)
+namespace detail {
+
 /// The "C" locale, where the decimal point is a point.
 [[nodiscard]] inline ::locale_t c_locale() {
   static const ::locale_t locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
@@ -52,14 +54,18 @@ inline constexpr int number_text_size = 32;
   return {first + (end - text.c_str()), is_finite(value) ? std::errc{} : std::errc::result_out_of_range};
 }
 
+}  // namespace detail
+
 /// Replaces std::to_chars, with 17 digits instead of the fewest.
 inline char* real_to_chars(char* first, double value) {
-  const ::locale_t before = ::uselocale(c_locale());
+  const ::locale_t before = ::uselocale(detail::c_locale());
   const int length = ::snprintf(first, number_text_size, "%.17g", value);
   ::uselocale(before);
   return first + length;
 }
 #else
+namespace detail {
+
 /// The same as std::from_chars.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
 #if defined(__SIZEOF_INT128__)
@@ -68,12 +74,16 @@ inline char* real_to_chars(char* first, double value) {
   return std::from_chars(first, last, value);
 }
 
+}  // namespace detail
+
 /// Writes a double in the fewest digits that read back to the same bits and returns the end of the text.
 /// Requires room for number_text_size characters.
 inline char* real_to_chars(char* first, double value) {
   return std::to_chars(first, first + number_text_size, value).ptr;
 }
 #endif
+
+namespace detail {
 
 /// Writes an integer and returns the end of the text. Requires room for number_text_size characters.
 inline char* integer_to_chars(char* first, std::int64_t value) {
@@ -85,6 +95,8 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   if (first != last && *first == '-') ++first;
   return first != last && ((*first >= '0' && *first <= '9') || *first == '.');
 }
+
+}  // namespace detail
 
 /// Reads a finite decimal number: digits with an optional sign, point and exponent. Anything else sets `problem`: NaN,
 /// infinity, hexadecimal, overflow, anything before or after the number.
@@ -104,8 +116,8 @@ inline char* integer_to_chars(char* first, std::int64_t value) {
   }
   Parsed<double> number;
   const char* const last = text.data() + text.size();
-  const bool begins_well = begins_as_real(text.data(), last) && !(plus && text.starts_with('-'));
-  const auto [end, error] = begins_well ? real_from_chars(text.data(), last, number.value)
+  const bool begins_well = detail::begins_as_real(text.data(), last) && !(plus && text.starts_with('-'));
+  const auto [end, error] = begins_well ? detail::real_from_chars(text.data(), last, number.value)
                                         : std::from_chars_result{text.data(), std::errc::invalid_argument};
   if (error == std::errc::invalid_argument || end != last) {
     number.problem = "is not a number";

@@ -13,6 +13,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The parts of a decimal number: digits with at most one point, and the position of the point from the first digit
 /// after the exponent has moved it.
 struct DecimalText {
@@ -39,6 +41,8 @@ struct DecimalText {
   return {{mantissa, static_cast<std::int64_t>(point) + exponent.value}};
 }
 
+}  // namespace detail
+
 /// Reads a decimal number in units of 10^-places s, plain (1305031098.6659) or scientific (1.305031098665900000e+09, as
 /// numpy.savetxt writes). The result is rounded to the nearest nanosecond, half away from zero. Anything that is not a
 /// number or does not fit in 64 bits sets `problem`.
@@ -46,7 +50,7 @@ struct DecimalText {
   const Parsed<std::chrono::nanoseconds> too_large{{}, "does not fit in 64-bit nanoseconds"};
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  const Parsed<DecimalText> decimal = scan_decimal(text);
+  const Parsed<detail::DecimalText> decimal = detail::scan_decimal(text);
   if (decimal.problem) return {{}, places == 0 ? decimal.problem : "is not a number"};
 
   // The first `kept` digits are whole nanoseconds, the next one rounds. `count` is ≤ 0, so that it reaches the lowest
@@ -74,6 +78,8 @@ struct DecimalText {
   return {std::chrono::nanoseconds{negative ? count : -count}};
 }
 
+namespace detail {
+
 /// Reads decimal seconds as parse_time does.
 [[nodiscard]] inline Parsed<std::chrono::nanoseconds> parse_seconds(std::string_view text) {
   return parse_time(text, 0);
@@ -94,5 +100,7 @@ inline char* seconds_to_chars(char* first, std::chrono::nanoseconds time) {
   for (int i = 9; i > 0; --i, fraction /= 10) first[i] = static_cast<char>('0' + fraction % 10);
   return first + 10;
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -41,7 +41,7 @@ inline constexpr std::array all_time_units{TimeUnit::seconds, TimeUnit::millisec
   for (const TimeUnit unit : all_time_units) {
     char rate[number_text_size];
     std::snprintf(rate, sizeof rate, "%.4g", 1 / (step * seconds_of(unit)));
-    text += message(text.empty() ? "" : ", ", rate, " Hz in ", time_unit_name(unit));
+    text += detail::message(text.empty() ? "" : ", ", rate, " Hz in ", time_unit_name(unit));
   }
   return text;
 }

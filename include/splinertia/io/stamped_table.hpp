@@ -87,8 +87,8 @@ class StampedTable {
     const char separator = at != end ? *at : layout_.separator;
     if (separator != layout_.separator && separator != ' ') return false;
     for (std::size_t i = 1; i < values_.size(); ++i) {
-      if (at == end || *at != separator || !begins_as_real(++at, end)) return false;
-      const auto [behind, error] = real_from_chars(at, end, values_[i]);
+      if (at == end || *at != separator || !detail::begins_as_real(++at, end)) return false;
+      const auto [behind, error] = detail::real_from_chars(at, end, values_[i]);
       if (error != std::errc{}) return false;
       at = behind;
     }
@@ -109,7 +109,7 @@ class StampedTable {
       time = std::chrono::nanoseconds{count};
     } else {
       while (at != end && *at != ',' && *at != ' ' && *at != '\t') ++at;
-      const auto parsed = parse_seconds({begin, static_cast<std::size_t>(at - begin)});
+      const auto parsed = detail::parse_seconds({begin, static_cast<std::size_t>(at - begin)});
       if (parsed.problem) return {};
       time = parsed.value;
     }
@@ -130,7 +130,7 @@ class StampedTable {
       fail(excerpt(file_.line()), " has commas, expected ", layout_.format, " separated by blanks: ", layout_.names());
     }
     if (count != most && count != fewest) {
-      const std::string expected = fewest == most ? message(most) : message(fewest, " or ", most);
+      const std::string expected = fewest == most ? detail::message(most) : detail::message(fewest, " or ", most);
       fail(count, count == 1 ? " column" : " columns", ", expected ", expected, " of ", layout_.format, ": ",
            layout_.names());
     }
@@ -141,7 +141,7 @@ class StampedTable {
     const bool seconds = layout_.stamp == TableLayout::Stamp::seconds;
     std::chrono::nanoseconds time{};
     if (seconds) {
-      time = value_of(parse_seconds(fields_[0]), 0);
+      time = value_of(detail::parse_seconds(fields_[0]), 0);
     } else {
       time = std::chrono::nanoseconds{value_of(parse_integer(fields_[0]), 0)};
     }

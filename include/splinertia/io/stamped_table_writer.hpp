@@ -39,8 +39,8 @@ class StampedTableWriter {
     assert(static_cast<std::size_t>((1 + ... + values.size())) == layout_.columns.size());
     const std::chrono::nanoseconds time = stamps_.next(file_, row_time);
     char* end = file_.room(static_cast<std::size_t>((1 + ... + values.size())) * (number_text_size + 1));
-    end = layout_.stamp == TableLayout::Stamp::seconds ? seconds_to_chars(end, time)
-                                                       : integer_to_chars(end, time.count());
+    end = layout_.stamp == TableLayout::Stamp::seconds ? detail::seconds_to_chars(end, time)
+                                                       : detail::integer_to_chars(end, time.count());
     ((end = write_values(end, values)), ...);
     *end++ = '\n';
     file_.advance(end);
@@ -56,7 +56,7 @@ class StampedTableWriter {
 
   /// Completes the file. It appears now, or together with the others of a set.
   void commit(std::same_as<FileSet> auto&... set) {
-    if (stamps_.empty()) throw std::invalid_argument(message(file_.path().string(), ": no rows to write"));
+    if (stamps_.empty()) throw std::invalid_argument(detail::message(file_.path().string(), ": no rows to write"));
     file_.commit(set...);
   }
 
@@ -64,7 +64,7 @@ class StampedTableWriter {
   [[nodiscard]] char* write_values(char* to, const auto& values) {
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double value = values[i];
-      if (!is_finite(value)) file_.refuse(value);
+      if (!detail::is_finite(value)) file_.refuse(value);
       *to++ = layout_.separator;
       to = real_to_chars(to, value);
     }

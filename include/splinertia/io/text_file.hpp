@@ -18,6 +18,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The text without blanks (space, tab) at either end.
 [[nodiscard]] inline std::string_view trim(std::string_view text) {
   const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
@@ -26,19 +28,21 @@ namespace splinertia {
   return text;
 }
 
+}  // namespace detail
+
 /// Splits a line at its commas, or at its runs of blanks if it has no comma. The fields are views of the line. Between
 /// two adjacent commas is an empty field.
 inline void split_fields(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
   const bool commas = line.find(',') != std::string_view::npos;
   const auto separates = [commas](char c) { return commas ? c == ',' : c == ' ' || c == '\t'; };
-  line = trim(line);
+  line = detail::trim(line);
   while (!line.empty() || commas) {
     const auto end = static_cast<std::size_t>(std::find_if(line.begin(), line.end(), separates) - line.begin());
-    fields.push_back(trim(line.substr(0, end)));
+    fields.push_back(detail::trim(line.substr(0, end)));
     if (end == line.size()) return;
     line.remove_prefix(end + 1);
-    if (!commas) line = trim(line);
+    if (!commas) line = detail::trim(line);
   }
 }
 
@@ -89,7 +93,7 @@ class TextFile {
     while (next_line()) {
       if (++number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
       if (line_.ends_with('\r')) line_.remove_suffix(1);
-      line_ = trim(line_);
+      line_ = detail::trim(line_);
       if (!line_.empty()) return true;
     }
     return false;
@@ -115,8 +119,8 @@ class TextFile {
   /// Throws std::runtime_error "path:line: …" with the parts joined; before the first line, "path: …".
   template <typename... Parts>
   [[noreturn]] void fail(const Parts&... what) const {
-    throw std::runtime_error(number_ == 0 ? message(file_.path(), ": ", what...)
-                                          : message(file_.path(), ':', number_, ": ", what...));
+    throw std::runtime_error(number_ == 0 ? detail::message(file_.path(), ": ", what...)
+                                          : detail::message(file_.path(), ':', number_, ": ", what...));
   }
 
  private:
@@ -160,7 +164,7 @@ class TextFile {
 
   static constexpr std::size_t block = 1 << 16;
 
-  InputFile file_;
+  detail::InputFile file_;
   std::uintmax_t read_ = 0;  // bytes so far
   std::vector<char> buffer_;
   const char *begin_ = nullptr, *end_ = nullptr;  // the unread part of the buffer

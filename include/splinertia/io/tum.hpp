@@ -19,6 +19,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 inline constexpr std::array<std::string_view, 8> tum_columns{"t", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
 
 /// Blanks between the columns, as the format requires; no header, because not every reader skips it.
@@ -29,13 +31,16 @@ inline const TableLayout tum_layout{.format = "a TUM trajectory",
                                     .separator = ' ',
                                     .header = false};
 
+}  // namespace detail
+
 /// Reads the poses T_WB [m] of a TUM file. Times are rounded to the nearest nanosecond. Quaternions are normalised and
 /// get continuous signs (QuaternionTrack). Throws std::runtime_error with file:line for the first error (StampedTable).
 [[nodiscard]] inline std::vector<Stamped<SO3xR3<double>>> read_tum(const std::filesystem::path& path) {
-  return read_stamped_table(path, tum_layout, [track = QuaternionTrack{}](const StampedTable& row) mutable {
-    const Sophus::SO3d R_WB = track.next(row, {row[7], row[4], row[5], row[6]});
-    return Stamped<SO3xR3<double>>{row.time(), {R_WB, row.vector(1)}};
-  });
+  return read_stamped_table(path, detail::tum_layout,
+                            [track = detail::QuaternionTrack{}](const StampedTable& row) mutable {
+                              const Sophus::SO3d R_WB = track.next(row, {row[7], row[4], row[5], row[6]});
+                              return Stamped<SO3xR3<double>>{row.time(), {R_WB, row.vector(1)}};
+                            });
 }
 
 /// Writes a TUM file pose by pose, in constant memory. The file appears with commit() and reads back to the same bits.
@@ -43,11 +48,11 @@ inline const TableLayout tum_layout{.format = "a TUM trajectory",
 /// written, and std::invalid_argument for what read_tum would refuse: no poses, NaN, times that do not increase.
 class TumWriter {
  public:
-  explicit TumWriter(const std::filesystem::path& path) : table_(path, tum_layout) {}
+  explicit TumWriter(const std::filesystem::path& path) : table_(path, detail::tum_layout) {}
 
   /// A pose T_WB of doubles, over any time.
-  template <StampedValue T>
-    requires Pose<GroupOf<T>> && std::same_as<ScalarOf<GroupOf<T>>, double>
+  template <detail::StampedValue T>
+    requires Pose<detail::GroupOf<T>> && std::same_as<ScalarOf<detail::GroupOf<T>>, double>
   void append(const T& stamped) {
     table_.append(stamped.time, position(stamped.value), rotation(stamped.value).unit_quaternion().coeffs());
   }
@@ -61,7 +66,7 @@ class TumWriter {
 
 /// Writes all poses T_WB [m] of a range, as TumWriter does.
 template <std::ranges::input_range Poses>
-  requires StampedValue<std::ranges::range_value_t<Poses>>
+  requires detail::StampedValue<std::ranges::range_value_t<Poses>>
 void write_tum(const std::filesystem::path& path, Poses&& poses) {
   TumWriter writer(path);
   for (const auto& stamped : poses) writer.append(stamped);

@@ -40,7 +40,7 @@ template <Pose G, int D>
   if constexpr (SplitPose<G>) {
     return m.velocity.template tail<3>();
   } else {
-    return rotate<ScalarOf<G>>(rotation(m.value).unit_quaternion(), m.velocity.template head<3>());
+    return detail::rotate<ScalarOf<G>>(rotation(m.value).unit_quaternion(), m.velocity.template head<3>());
   }
 }
 
@@ -51,11 +51,11 @@ template <Pose G, int D>
   using Scalar = ScalarOf<G>;
   const auto& q = rotation(m.value).unit_quaternion();
   if constexpr (SplitPose<G>) {
-    return rotate_inverse<Scalar>(q, m.acceleration.template tail<3>() - gravity);
+    return detail::rotate_inverse<Scalar>(q, m.acceleration.template tail<3>() - gravity);
   } else {
     const Vector3<Scalar> v = m.velocity.template head<3>();
     const Vector3<Scalar> v_dot = m.acceleration.template head<3>();
-    return v_dot + angular_velocity(m).cross(v) - rotate_inverse<Scalar>(q, gravity);
+    return v_dot + angular_velocity(m).cross(v) - detail::rotate_inverse<Scalar>(q, gravity);
   }
 }
 

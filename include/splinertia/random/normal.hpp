@@ -14,6 +14,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The layers of the ziggurat under exp(−x²/2): 255 rectangles, and a base with the tail, all of the same area.
 struct ZigguratTables {
   static constexpr std::size_t layers = 256;
@@ -55,7 +57,9 @@ struct ZigguratTables {
   return t;
 }
 
-inline constexpr ZigguratTables ziggurat_tables = make_ziggurat_tables();
+}  // namespace detail
+
+inline constexpr detail::ZigguratTables ziggurat_tables = detail::make_ziggurat_tables();
 
 /// An endless stream of independent standard normal numbers, determined by its key alone.
 /// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with separate bits
@@ -71,7 +75,7 @@ class NormalStream {
     const Candidate candidate(r);
     if (candidate.inside()) [[likely]]
       return candidate.x();  // 99 % of all draws
-    if constexpr (std::is_trivially_copyable_v<RandomBits<Generator>>) {
+    if constexpr (std::is_trivially_copyable_v<detail::RandomBits<Generator>>) {
       // Works on a copy: if a function that is not inlined knew the address of this object, it could not stay in
       // registers.
       NormalStream copy = *this;
@@ -103,9 +107,9 @@ class NormalStream {
     [[nodiscard]] SPLINERTIA_ALWAYS_INLINE constexpr double x() const {
       return static_cast<double>(multiple) * ziggurat_tables.scale[index];
     }
-    [[nodiscard]] constexpr std::size_t layer() const { return index % ZigguratTables::layers; }
+    [[nodiscard]] constexpr std::size_t layer() const { return index % detail::ZigguratTables::layers; }
     [[nodiscard]] constexpr double with_sign(double absolute) const {
-      return index < ZigguratTables::layers ? absolute : -absolute;
+      return index < detail::ZigguratTables::layers ? absolute : -absolute;
     }
   };
 
@@ -118,20 +122,20 @@ class NormalStream {
       const std::size_t layer = candidate.layer();
       if (layer == 0) return candidate.with_sign(tail());
       const double f0 = ziggurat_tables.f[layer], f1 = ziggurat_tables.f[layer + 1];
-      if (multiply_add(uniform(), f1 - f0, f0) < reproducible_exp(-x * x / 2)) return x;
+      if (detail::multiply_add(uniform(), f1 - f0, f0) < detail::reproducible_exp(-x * x / 2)) return x;
     }
   }
 
   // Marsaglia, "Generating a Variable from the Tail of the Normal Distribution", Technometrics 6 (1964).
   constexpr double tail() {
     while (true) {
-      const double x = -reproducible_log(1 - uniform()) / ZigguratTables::tail;
-      const double y = -reproducible_log(1 - uniform());
-      if (2 * y > x * x) return ZigguratTables::tail + x;
+      const double x = -detail::reproducible_log(1 - uniform()) / detail::ZigguratTables::tail;
+      const double y = -detail::reproducible_log(1 - uniform());
+      if (2 * y > x * x) return detail::ZigguratTables::tail + x;
     }
   }
 
-  RandomBits<Generator> bits_;
+  detail::RandomBits<Generator> bits_;
 };
 
 NormalStream(StreamKey) -> NormalStream<>;

@@ -14,6 +14,13 @@
 
 namespace splinertia {
 
+/// The requirements of std::uniform_random_bit_generator, without including <random>.
+template <typename G>
+concept BitGenerator = std::move_constructible<G> && std::unsigned_integral<std::invoke_result_t<G&>> &&
+                       requires { requires(G::min)() < (G::max)(); };
+
+namespace detail {
+
 /// Scrambles 64 bits: every bit of the result depends on every bit of x. The finaliser of SplitMix64: Steele, Lea,
 /// Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014, with Stafford's constants (variant 13).
 [[nodiscard]] constexpr std::uint64_t scramble(std::uint64_t x) {
@@ -22,20 +29,22 @@ namespace splinertia {
   return x ^ (x >> 31);
 }
 
+}  // namespace detail
+
 /// The name of a stream of random numbers, one for each run (seed), sensor, error term and axis. Streams with different
 /// names are independent: adding a term or a sensor leaves the numbers of all others unchanged.
 class StreamKey {
  public:
-  constexpr explicit StreamKey(std::uint64_t seed) : hash_(scramble(seed + golden_ratio)) {}
+  constexpr explicit StreamKey(std::uint64_t seed) : hash_(detail::scramble(seed + golden_ratio)) {}
 
   /// The key of part `index` of what this key names.
   [[nodiscard]] constexpr StreamKey operator/(std::uint64_t index) const {
-    return StreamKey(Hash{scramble(hash_ + golden_ratio * (2 * index + 1))});
+    return StreamKey(Hash{detail::scramble(hash_ + golden_ratio * (2 * index + 1))});
   }
   /// The key of the part called `name`.
   [[nodiscard]] constexpr StreamKey operator/(std::string_view name) const {
     std::uint64_t index = name.size();
-    for (const char c : name) index = scramble(index ^ static_cast<unsigned char>(c));
+    for (const char c : name) index = detail::scramble(index ^ static_cast<unsigned char>(c));
     return *this / index;
   }
   [[nodiscard]] constexpr std::uint64_t hash() const { return hash_; }

@@ -12,18 +12,24 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The supported orders: 2 is linear, 4 cubic.
 inline constexpr int lowest_order = 2, highest_order = 8;
 template <int Order>
 inline constexpr bool is_supported_order = lowest_order <= Order && Order <= highest_order;
 
+}  // namespace detail
+
 /// λ_1 … λ_{k−1} and their first D derivatives with respect to time, at one time.
 template <typename Scalar, int Order, int D>
 struct CumulativeBasis {
-  static_assert(is_supported_order<Order>, "orders 2 (linear) to 8 are supported");
+  static_assert(detail::is_supported_order<Order>, "orders 2 (linear) to 8 are supported");
   /// lambda[m][j − 1] = d^m λ_j/dt^m, in 1/s^m.
-  FixedArray<FixedArray<Scalar, Order - 1>, D + 1> lambda;
+  detail::FixedArray<detail::FixedArray<Scalar, Order - 1>, D + 1> lambda;
 };
+
+namespace detail {
 
 [[nodiscard]] constexpr std::int64_t binomial(int n, int k) {
   std::int64_t result = 1;
@@ -37,8 +43,12 @@ struct CumulativeBasis {
   return result;
 }
 
+}  // namespace detail
+
 template <int Order>
-using BasisMatrix = FixedArray<FixedArray<std::int64_t, Order>, Order>;
+using BasisMatrix = detail::FixedArray<detail::FixedArray<std::int64_t, Order>, Order>;
+
+namespace detail {
 
 /// (k − 1)! times the basis matrix of uniform knots, which makes it integer. Row j, column n holds the coefficient of
 /// uⁿ in (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).
@@ -106,23 +116,25 @@ template <int Order, int j, int m, typename Scalar>
   return sum;
 }
 
+}  // namespace detail
+
 /// The basis of uniform knots at u ∈ [0, 1] of a segment of length `interval`, s. The error is at most 0.7 eps of the
 /// largest value and 1.6 eps of the largest derivative. If Scalar is a type of automatic differentiation but nothing is
 /// differentiated with respect to time, U may be a plain type.
 template <int Order, int D, typename U, typename Scalar = U>
 [[nodiscard]] inline CumulativeBasis<Scalar, Order, D> uniform_basis(const U& u, const U& interval) {
-  using Real = Constant<U>;
+  using Real = detail::Constant<U>;
   CumulativeBasis<Scalar, Order, D> basis;
   const auto row = [&]<std::size_t m>(const U& scale) {
     [&]<std::size_t... J>(std::index_sequence<J...>) {
       if constexpr (m < Order) {
-        ((basis.lambda[m][J] = static_cast<Scalar>(uniform_basis_polynomial<Order, J + 1, m>(u) * scale)), ...);
+        ((basis.lambda[m][J] = static_cast<Scalar>(detail::uniform_basis_polynomial<Order, J + 1, m>(u) * scale)), ...);
       } else {
         ((basis.lambda[m][J] = Scalar(0)), ...);
       }
     }(std::make_index_sequence<static_cast<std::size_t>(Order - 1)>{});
   };
-  const U scale(Real(1) / static_cast<Real>(factorial(Order - 1)));
+  const U scale(Real(1) / static_cast<Real>(detail::factorial(Order - 1)));
   row.template operator()<0>(scale);
   if constexpr (D >= 1) row.template operator()<1>(scale / interval);
   if constexpr (D >= 2) row.template operator()<2>(scale / interval / interval);

@@ -24,6 +24,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The default observer of evaluate_increments(). Does nothing, at no cost.
 struct NoObserver {
   void operator()(auto&&...) const {}
@@ -113,12 +115,15 @@ template <LieGroup G, int Order>
   return d;
 }
 
+}  // namespace detail
+
 /// Converts a span of run-time size to one of Order control points. Throws std::invalid_argument for any other size.
 template <int Order, LieGroup G>
-[[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> exactly(std::span<const G> control_points) {
+[[nodiscard]] inline std::span<const G, static_cast<std::size_t>(Order)> with_static_extent(
+    std::span<const G> control_points) {
   if (control_points.size() != static_cast<std::size_t>(Order)) {
-    refuse<std::invalid_argument>("expected ", Order, " control points (the order of the curve), got ",
-                                  control_points.size());
+    detail::refuse<std::invalid_argument>("expected ", Order, " control points (the order of the curve), got ",
+                                          control_points.size());
   }
   return control_points.template first<static_cast<std::size_t>(Order)>();
 }
@@ -128,8 +133,8 @@ template <int Order, LieGroup G>
 template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G, static_cast<std::size_t>(Order)> control_points,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  const auto increments = increments_between<G, Order>(control_points);
-  return evaluate_increments<D>(
+  const auto increments = detail::increments_between<G, Order>(control_points);
+  return detail::evaluate_increments<D>(
       control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
 }
 
@@ -137,7 +142,7 @@ template <int D, LieGroup G, int Order>
 template <int D, LieGroup G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(std::span<const G> control_points,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  return evaluate<D>(exactly<Order>(control_points), basis);
+  return evaluate<D>(with_static_extent<Order>(control_points), basis);
 }
 
 }  // namespace splinertia

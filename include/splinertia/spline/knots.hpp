@@ -16,6 +16,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The closed interval of time on which a curve is defined.
 template <TimePoint Time>
 struct Domain {
@@ -26,8 +28,6 @@ struct Domain {
   /// The time in the domain nearest to t; `start` for NaN.
   [[nodiscard]] constexpr Time clamp(Time t) const { return !(t > start) ? start : t < end ? t : end; }
 };
-
-namespace detail {
 
 /// Prints t and the domain, which assert() cannot. Returns false.
 template <TimePoint Time>
@@ -78,14 +78,14 @@ struct UsualScalar<Time> {
   using type = Time;
 };
 
-}  // namespace detail
-
 /// The basis at one time. `first` is the index of the first of the Order control points that determine the curve there.
 template <typename Scalar, int Order, int D>
 struct BasisAt {
   std::size_t first;
   CumulativeBasis<Scalar, Order, D> basis;
 };
+
+}  // namespace detail
 
 /// The knots of a curve over one type of Time: UniformKnots, NonUniformKnots. Knots know neither the control points nor
 /// their group; functions take the number of control points. So an optimiser may own the control points
@@ -97,7 +97,7 @@ concept Knots = std::copyable<K> && TimePoint<typename K::Time> &&
                   // these are the knots of a curve of that order with n >= order control points. The functions below
                   // require that it does not throw.
                   knots.template check<double>(control_points, order);
-                  { knots.domain(control_points, order) } -> std::same_as<Domain<typename K::Time>>;
+                  { knots.domain(control_points, order) } -> std::same_as<detail::Domain<typename K::Time>>;
                   // The knot where segment 0, 1, … of the domain begins, and the time that control point 0, 1, …
                   // belongs to.
                   { knots.knot(control_points, order) } -> std::same_as<typename K::Time>;
@@ -105,7 +105,9 @@ concept Knots = std::copyable<K> && TimePoint<typename K::Time> &&
                   // template <typename Scalar, int Order, int D> basis(t, n): the basis at t for any Scalar, Order and
                   // D. A knot belongs to the span that it begins, the end of the domain to the last non-empty span.
                   // Outside the domain (asserted) the first or last non-empty span is extrapolated to t.
-                  { knots.template basis<double, 4, 2>(t, control_points) } -> std::same_as<BasisAt<double, 4, 2>>;
+                  {
+                    knots.template basis<double, 4, 2>(t, control_points)
+                  } -> std::same_as<detail::BasisAt<double, 4, 2>>;
                 };
 
 }  // namespace splinertia

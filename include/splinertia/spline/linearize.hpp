@@ -21,6 +21,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Jacobians (Dof × Dof) with respect to each of the Order control points.
 template <LieGroup G, int Order>
 using ControlPointJacobians = std::array<Jacobian<G>, static_cast<std::size_t>(Order)>;
@@ -39,12 +41,18 @@ struct AccelerationJacobians<G, Order, true> {
   ControlPointJacobians<G, Order> acceleration_jacobian;
 };
 
+}  // namespace detail
+
 /// A motion and its Jacobians. As in Motion, derivatives that were not requested do not exist.
 template <LieGroup G, int Order, int D>
   requires(0 <= D && D <= 2)
-struct Linearization : Motion<G, D>, VelocityJacobians<G, Order, (D >= 1)>, AccelerationJacobians<G, Order, (D >= 2)> {
-  ControlPointJacobians<G, Order> value_jacobian;
+struct Linearization : Motion<G, D>,
+                       detail::VelocityJacobians<G, Order, (D >= 1)>,
+                       detail::AccelerationJacobians<G, Order, (D >= 2)> {
+  detail::ControlPointJacobians<G, Order> value_jacobian;
 };
+
+namespace detail {
 
 /// Calls f with the Jacobians of the value, then of each derivative up to the D-th, one argument per linearization.
 template <int D>
@@ -228,13 +236,15 @@ template <int D, LieGroupWithJacobians... F, int Order>
   return result;
 }
 
+}  // namespace detail
+
 /// The motion and its Jacobians from Order control points and the basis, as evaluate().
 template <int D, LieGroupWithJacobians G, int Order>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(
     std::span<const G, static_cast<std::size_t>(Order)> control_points,
     const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  const auto increments = increments_between<G, Order>(control_points);
-  return linearize_increments<D>(
+  const auto increments = detail::increments_between<G, Order>(control_points);
+  return detail::linearize_increments<D>(
       control_points[0], [&](std::size_t j) -> const Tangent<G>& { return increments[j]; }, basis);
 }
 
@@ -242,7 +252,7 @@ template <int D, LieGroupWithJacobians G, int Order>
 template <int D, LieGroupWithJacobians G, int Order>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(std::span<const G> control_points,
                                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  return linearize<D>(exactly<Order>(control_points), basis);
+  return linearize<D>(with_static_extent<Order>(control_points), basis);
 }
 
 }  // namespace splinertia

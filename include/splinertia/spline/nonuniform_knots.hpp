@@ -46,33 +46,35 @@ struct NonUniformKnots {
   void check(std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
     if (knots.size() != control_points + k) {
-      refuse<std::invalid_argument>("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k, ": ",
-                                    control_points, " control points plus the order, ", order);
+      detail::refuse<std::invalid_argument>("NonUniformKnots: ", knots.size(), " knots, expected ", control_points + k,
+                                            ": ", control_points, " control points plus the order, ", order);
     }
     for (std::size_t i = 0; i < knots.size(); ++i) {
-      if (!is_finite(knots[i])) {
-        refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", printable(knots[i]),
-                                      ", expected a finite number");
+      if (!detail::is_finite(knots[i])) {
+        detail::refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", detail::seconds_or_ticks(knots[i]),
+                                              ", expected a finite number");
       }
       if (i > 0 && knots[i] < knots[i - 1]) {
-        refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", printable(knots[i]), ", expected at least ",
-                                      printable(knots[i - 1]), ", the knot before it");
+        detail::refuse<std::invalid_argument>("NonUniformKnots: knot ", i, " is ", detail::seconds_or_ticks(knots[i]),
+                                              ", expected at least ", detail::seconds_or_ticks(knots[i - 1]),
+                                              ", the knot before it");
       }
     }
     const auto [start, end] = domain(control_points, order);
     if (!(start < end)) {
-      refuse<std::invalid_argument>("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
-                                    printable(start), ", expected a non-empty domain between them");
+      detail::refuse<std::invalid_argument>("NonUniformKnots: knots ", k - 1, " and ", control_points, " are both ",
+                                            detail::seconds_or_ticks(start),
+                                            ", expected a non-empty domain between them");
     }
     for (std::size_t i = k; i + k - 1 < control_points; ++i) {
       if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
-        refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
-                                      k > 2 ? " are all " : " are both ", printable(knots[i]),
-                                      ", which would make the curve discontinuous; expected at most ", k - 1,
-                                      " equal knots inside the domain, the order minus one");
+        detail::refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
+                                              k > 2 ? " are all " : " are both ", detail::seconds_or_ticks(knots[i]),
+                                              ", which would make the curve discontinuous; expected at most ", k - 1,
+                                              " equal knots inside the domain, the order minus one");
       }
     }
-    check_span("NonUniformKnots", "knots", knots.front(), knots.back());
+    detail::check_span("NonUniformKnots", "knots", knots.front(), knots.back());
     if constexpr (std::floating_point<Time>) {
       Time shortest = end - start;
       for (std::size_t i = k; i <= control_points; ++i) {
@@ -84,7 +86,7 @@ struct NonUniformKnots {
   }
 
   /// [τ_{k−1}, τ_n]: from knot order − 1 to knot control_points.
-  [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
+  [[nodiscard]] detail::Domain<Time> domain(std::size_t control_points, int order) const {
     return {knots[static_cast<std::size_t>(order) - 1], knots[control_points]};
   }
 
@@ -103,16 +105,16 @@ struct NonUniformKnots {
   /// last non-empty span. Outside the domain (asserted): the first or last non-empty span. Takes time logarithmic in
   /// the number of knots.
   [[nodiscard]] std::size_t segment(Time t, std::size_t control_points, int order) const {
-    return place(t, control_points, order).span;
+    return locate(t, control_points, order).span;
   }
 
   /// The basis at t. Finding the span takes time logarithmic in the number of knots.
   template <typename Scalar, int Order, int D>
-  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
-    const auto [s, time] = place(t, control_points, Order);
+  [[nodiscard]] detail::BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
+    const auto [s, time] = locate(t, control_points, Order);
     const std::span<const Time, 2 * static_cast<std::size_t>(Order) - 2> around(
         knots.data() + s + 1, 2 * static_cast<std::size_t>(Order) - 2);
-    return {s, nonuniform_basis<Order, D, Scalar>(around, time)};
+    return {s, detail::nonuniform_basis<Order, D, Scalar>(around, time)};
   }
 
   /// Span s of a curve, prepared for evaluating its basis at many times.
@@ -130,46 +132,47 @@ struct NonUniformKnots {
     /// The basis at several times, bitwise equal to basis(). t is in seconds if Time is double, in ticks since begin()
     /// if it is an integer duration.
     template <int D, typename Real, int N, int Bytes>
-    [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
-      using L = Lanes<Real, N, Bytes>;
-      using Wide = Lanes<double, N, Bytes>;
+    [[nodiscard]] CumulativeBasis<detail::SimdPack<Real, N, Bytes>, Order, D> basis(
+        const detail::SimdPack<double, N, Bytes>& t) const {
+      using L = detail::SimdPack<Real, N, Bytes>;
+      using Wide = detail::SimdPack<double, N, Bytes>;
       std::array<L, k - 1> before, behind;
       for (std::size_t j = 0; j < k - 1; ++j) {
-        before[j] = lanes_cast<Real>(t - Wide(place(around_[j])));
-        behind[j] = lanes_cast<Real>(Wide(place(around_[k - 1 + j])) - t);
+        before[j] = detail::simd_pack_cast<Real>(t - Wide(locate(around_[j])));
+        behind[j] = detail::simd_pack_cast<Real>(Wide(locate(around_[k - 1 + j])) - t);
       }
-      return nonuniform_basis<Order, D, L>(std::span<const Time, 2 * k - 2>(around_), before, behind);
+      return detail::nonuniform_basis<Order, D, L>(std::span<const Time, 2 * k - 2>(around_), before, behind);
     }
 
    private:
     // The time of a knot, in the units and from the origin of t in basis().
-    [[nodiscard]] double place(Time knot) const {
+    [[nodiscard]] double locate(Time knot) const {
       if constexpr (std::floating_point<Time>) {
         return static_cast<double>(knot);
       } else {
-        return units_between<double>(begin(), knot);
+        return detail::units_between<double>(begin(), knot);
       }
     }
     std::array<Time, 2 * k - 2> around_;
   };
 
  private:
-  struct Place {
+  struct KnotLocation {
     std::size_t span;
     Time time;  // t, clamped so that Time can represent its differences from the knots
   };
-  [[nodiscard]] Place place(Time t, std::size_t control_points, int order) const {
+  [[nodiscard]] KnotLocation locate(Time t, std::size_t control_points, int order) const {
     const auto k = static_cast<std::size_t>(order);
     assert(knots.size() == control_points + k);
     const Time* const begin = knots.data() + k;
     const Time* const end = knots.data() + control_points;
     if (!(t >= begin[-1] && t < *end)) [[unlikely]]
-      return place_at_end(t, control_points, order);
+      return locate_at_end(t, control_points, order);
     return {static_cast<std::size_t>(std::upper_bound(begin, end, t) - begin), t};
   }
   // place() for t at the end of the domain or outside it.
-  [[nodiscard]] SPLINERTIA_COLD Place place_at_end(Time t, std::size_t control_points, int order) const {
-    const Domain<Time> curve = domain(control_points, order);
+  [[nodiscard]] SPLINERTIA_COLD KnotLocation locate_at_end(Time t, std::size_t control_points, int order) const {
+    const detail::Domain<Time> curve = domain(control_points, order);
     detail::assert_inside(curve, t);
     const Time* const begin = knots.data() + order;
     const Time* const end = knots.data() + control_points;
@@ -178,8 +181,8 @@ struct NonUniformKnots {
     const Time* const next =
         behind ? std::lower_bound(begin, end, curve.end) : std::upper_bound(begin, end, curve.start);
     if constexpr (!std::floating_point<Time>) {
-      t = behind ? (std::min)(t, time_between(-(Time::max)(), knots.front()))
-                 : (std::max)(t, time_between((Time::max)(), knots.back()));
+      t = behind ? (std::min)(t, detail::time_between(-(Time::max)(), knots.front()))
+                 : (std::max)(t, detail::time_between((Time::max)(), knots.back()));
     }
     return {static_cast<std::size_t>(next - begin), t};
   }

@@ -24,6 +24,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The parts of a control point that have their own blocks: the factors of a product, otherwise G itself.
 template <typename G>
 struct ControlPointParts {
@@ -68,11 +70,13 @@ template <HasParameterLayout G, int Order>
   return points;
 }
 
+}  // namespace detail
+
 /// evaluate() on the control points in `blocks`. The order is that of the basis.
 template <int D, HasParameterLayout G, int Order>
 [[nodiscard]] inline Motion<G, D> evaluate(const ScalarOf<G>* const* blocks,
                                            const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  const auto points = read_control_points<G, Order>(blocks);
+  const auto points = detail::read_control_points<G, Order>(blocks);
   return evaluate<D, G, Order>(std::span<const G, static_cast<std::size_t>(Order)>(points), basis);
 }
 
@@ -82,7 +86,7 @@ template <int D, HasParameterLayout G, int Order>
   requires LieGroupWithJacobians<G>
 [[nodiscard]] inline Linearization<G, Order, D> linearize(const ScalarOf<G>* const* blocks,
                                                           const CumulativeBasis<ScalarOf<G>, Order, D>& basis) {
-  const auto points = read_control_points<G, Order>(blocks);
+  const auto points = detail::read_control_points<G, Order>(blocks);
   return linearize<D, G, Order>(std::span<const G, static_cast<std::size_t>(Order)>(points), basis);
 }
 

@@ -8,7 +8,7 @@
 #include <splinertia/group/parameters.hpp>
 #include <splinertia/motion/motion.hpp>
 #include <splinertia/motion/trajectory.hpp>
-#include <splinertia/spline/detail/lane_samples.hpp>
+#include <splinertia/spline/detail/packed_samples.hpp>
 #include <splinertia/spline/sample_times.hpp>
 #include <utility>
 #include <vector>
@@ -32,7 +32,7 @@ class MotionSamples {
     return 0;
   }();
   static constexpr int dof = DofOf<G>;
-  using Rows = SampleRows<Scalar, parameters + D * dof>;
+  using Rows = detail::SampleRows<Scalar, parameters + D * dof>;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   void resize(std::size_t size) {
@@ -52,8 +52,8 @@ class MotionSamples {
     if constexpr (D >= 3) m.jerk = rows_.template column<dof>(parameters + 2 * dof, i);
     return m;
   }
-  [[nodiscard]] SampleIterator<MotionSamples> begin() const { return {*this, 0}; }
-  [[nodiscard]] SampleIterator<MotionSamples> end() const { return {*this, size()}; }
+  [[nodiscard]] detail::SampleIterator<MotionSamples> begin() const { return {*this, 0}; }
+  [[nodiscard]] detail::SampleIterator<MotionSamples> end() const { return {*this, size()}; }
 
   /// The parameters of all values (group/parameters.hpp), parameters × size(), and the derivatives, dof × size(). A
   /// view of the stored numbers, or, for a temporary, a copy.
@@ -106,7 +106,7 @@ class MotionSamples {
     template <LieGroup H>
     void write(std::size_t i, const Motion<H, D>& m) const {
       if constexpr (has_parameters) {
-        FixedArray<ScalarOf<H>, parameters> numbers;
+        detail::FixedArray<ScalarOf<H>, parameters> numbers;
         write_parameters(m.value, numbers.data());
         rows_.template write<0, parameters>(i, numbers);
       } else {
@@ -133,16 +133,16 @@ template <int D, typename C>
   requires Trajectory<C, D>
 void sample(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
             MotionSamples<typename C::Group, D>& samples) {
-  check_sample_times(times, first + count, curve.start(), curve.end());
+  detail::check_sample_times(times, first + count, curve.start(), curve.end());
   samples.resize(count);
   const typename MotionSamples<typename C::Group, D>::Writer to(samples);
-  for_each_sample<D>(curve, times, first, count,
-                     [first, to](std::size_t i, const auto& motion) { to.write(i - first, motion); });
+  detail::for_each_sample<D>(curve, times, first, count,
+                             [first, to](std::size_t i, const auto& motion) { to.write(i - first, motion); });
 }
 
 /// Value and first D derivatives of a curve at `count` times from `start` on, `interval` apart. The results are those
-/// of evaluate<D>(). A LaneCurve is evaluated at several times at once, which is several times as fast
-/// (spline/detail/lane_samples.hpp); other curves are evaluated at one time after the other.
+/// of evaluate<D>(). A PackedCurve is evaluated at several times at once, which is several times as fast
+/// (spline/detail/packed_samples.hpp); other curves are evaluated at one time after the other.
 ///
 /// Throws std::invalid_argument unless the interval is positive and finite, and std::out_of_range if a time is outside
 /// the domain of the curve. The last may exceed its end by rounding.

@@ -27,7 +27,7 @@ struct SampleTimes {
     if constexpr (std::floating_point<Time>) {
       return start + static_cast<Time>(i) * interval;
     } else {
-      // Unsigned: evaluate_lanes() also computes times after the last sample, which may overflow Time.
+      // Unsigned: evaluate_packed() also computes times after the last sample, which may overflow Time.
       const auto ticks = [](auto x) { return static_cast<std::uintmax_t>(x); };
       return Time(static_cast<typename Time::rep>(ticks(start.count()) + ticks(i) * ticks(interval.count())));
     }
@@ -54,19 +54,22 @@ struct SampleTimes {
 template <typename T>
 SampleTimes(T, T) -> SampleTimes<T>;
 
+namespace detail {
+
 /// Throws std::invalid_argument unless the interval is positive and finite, and std::out_of_range unless the first
 /// `count` times are in [start, end]. The last may exceed `end` by rounding.
 template <TimePoint Time>
 inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count, Time start, Time end) {
   if (!(times.interval > Time{}) || !is_finite(times.interval)) {
-    refuse<std::invalid_argument>("sample: interval is ", printable(times.interval),
+    refuse<std::invalid_argument>("sample: interval is ", seconds_or_ticks(times.interval),
                                   ", expected a positive finite number");
   }
   if (count == 0) return;
   if constexpr (!std::floating_point<Time>) {
     if (count - 1 > static_cast<std::size_t>(time_between(times.start, (Time::max)()) / times.interval)) {
-      refuse<std::out_of_range>("sample: ", count, " samples ", printable(times.interval), " apart, starting at ",
-                                printable(times.start), ", exceed the largest representable time");
+      refuse<std::out_of_range>("sample: ", count, " samples ", seconds_or_ticks(times.interval),
+                                " apart, starting at ", seconds_or_ticks(times.start),
+                                ", exceed the largest representable time");
     }
   }
   const Time last = times(count - 1);
@@ -75,9 +78,12 @@ inline void check_sample_times(const SampleTimes<Time>& times, std::size_t count
     rounding = 4 * std::numeric_limits<Time>::epsilon() * (std::max)(std::abs(times.start), std::abs(end));
   }
   if (!(is_finite(times.start) && times.start >= start && last >= times.start && last - rounding <= end)) {
-    refuse<std::out_of_range>("sample: ", count, " samples from ", printable(times.start), " to ", printable(last),
-                              ", the curve is defined from ", printable(start), " to ", printable(end));
+    refuse<std::out_of_range>("sample: ", count, " samples from ", seconds_or_ticks(times.start), " to ",
+                              seconds_or_ticks(last), ", the curve is defined from ", seconds_or_ticks(start), " to ",
+                              seconds_or_ticks(end));
   }
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -19,11 +19,15 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// A linearization of a Spline. `first` is the index of the first of the Order control points that it refers to.
 template <LieGroup G, int Order, int D>
 struct LinearizationAt : Linearization<G, Order, D> {
   std::size_t first;
 };
+
+}  // namespace detail
 
 /// A cumulative B-spline of order k = degree + 1 on a Lie group. It is Order − 2 times continuously differentiable, and
 /// at any time Order control points determine it. From order 3 on they are in general not on the curve.
@@ -37,7 +41,7 @@ struct LinearizationAt : Linearization<G, Order, D> {
 /// Only the constructor allocates.
 template <LieGroup G, int Order, Knots K = UniformKnots<double>>
 class Spline {
-  static_assert(is_supported_order<Order>, "Spline: orders 2 (linear) to 8 are supported");
+  static_assert(detail::is_supported_order<Order>, "Spline: orders 2 (linear) to 8 are supported");
 
  public:
   using Group = G;
@@ -50,10 +54,10 @@ class Spline {
   Spline(K knots, std::vector<G> control_points)
       : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (control_points_.size() < static_cast<std::size_t>(Order)) {
-      refuse<std::invalid_argument>("Spline: ", control_points_.size(), " control points, expected at least ", Order,
-                                    ", the order of the curve");
+      detail::refuse<std::invalid_argument>("Spline: ", control_points_.size(), " control points, expected at least ",
+                                            Order, ", the order of the curve");
     }
-    knots_.template check<Constant<Scalar>>(control_points_.size(), Order);
+    knots_.template check<detail::Constant<Scalar>>(control_points_.size(), Order);
     for (std::size_t i = 0; i < control_points_.size(); ++i) control_points_[i] = on_group(control_points_[i], i);
     increments_.resize(control_points_.size() - 1);
     for (std::size_t i = 0; i < increments_.size(); ++i) {
@@ -67,7 +71,7 @@ class Spline {
   Spline(K, const std::vector<OtherPoint, OtherAllocator>& control_points) = delete;
 
   /// The closed interval on which the curve is defined.
-  [[nodiscard]] Domain<Time> domain() const { return knots_.domain(control_points_.size(), Order); }
+  [[nodiscard]] detail::Domain<Time> domain() const { return knots_.domain(control_points_.size(), Order); }
   [[nodiscard]] Time start() const { return domain().start; }
   [[nodiscard]] Time end() const { return domain().end; }
   /// start() <= t <= end().
@@ -79,9 +83,10 @@ class Spline {
   /// is extrapolated and soon far away; at() throws there, and clamp(t) is in the domain.
   template <int D>
   [[nodiscard]] Motion<G, D> evaluate(Time t) const {
-    return flattened<Scalar>([&] {
-      const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
-      return evaluate_increments<D>(control_points_[place.first], increments_from(place.first), place.basis);
+    return detail::flattened<Scalar>([&] {
+      const auto located = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
+      return detail::evaluate_increments<D>(control_points_[located.first], increments_from(located.first),
+                                            located.basis);
     });
   }
 
@@ -92,18 +97,20 @@ class Spline {
   /// (linearize.hpp). Requires start() <= t <= end() (asserted).
   template <int D>
     requires LieGroupWithJacobians<G>
-  [[nodiscard]] LinearizationAt<G, Order, D> linearize(Time t) const {
-    const auto place = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
-    return {linearize_increments<D>(control_points_[place.first], increments_from(place.first), place.basis),
-            place.first};
+  [[nodiscard]] detail::LinearizationAt<G, Order, D> linearize(Time t) const {
+    const auto located = knots_.template basis<Scalar, Order, D>(t, control_points_.size());
+    return {
+        detail::linearize_increments<D>(control_points_[located.first], increments_from(located.first), located.basis),
+        located.first};
   }
 
   /// evaluate() that throws std::out_of_range unless start() <= t <= end().
   template <int D>
   [[nodiscard]] Motion<G, D> at(Time t) const {
     if (!contains(t)) {
-      refuse<std::out_of_range>("Spline: no curve at time ", printable(t), ", it is defined from ", printable(start()),
-                                " to ", printable(end()));
+      detail::refuse<std::out_of_range>("Spline: no curve at time ", detail::seconds_or_ticks(t),
+                                        ", it is defined from ", detail::seconds_or_ticks(start()), " to ",
+                                        detail::seconds_or_ticks(end()));
     }
     return evaluate<D>(t);
   }
@@ -119,11 +126,11 @@ class Spline {
   /// (asserted). Throws std::invalid_argument as the constructor does; the curve is then unchanged.
   void set_control_point(std::size_t i, const G& x) {
     assert(i < control_points_.size());
-    const G moved = on_group(x, i);
+    const G updated = on_group(x, i);
     Tangent<G> before = Tangent<G>::Zero(), after = before;
-    if (i > 0) before = checked_increment(i - 1, control_points_[i - 1], moved);
-    if (i < increments_.size()) after = checked_increment(i, moved, control_points_[i + 1]);
-    control_points_[i] = moved;
+    if (i > 0) before = checked_increment(i - 1, control_points_[i - 1], updated);
+    if (i < increments_.size()) after = checked_increment(i, updated, control_points_[i + 1]);
+    control_points_[i] = updated;
     if (i > 0) increments_[i - 1] = before;
     if (i < increments_.size()) increments_[i] = after;
   }
@@ -145,8 +152,8 @@ class Spline {
       const Scalar drift = GroupTraits<G>::drift(x);
       if (drift <= rounding) return x;
       if (!(drift <= tolerance)) {
-        refuse<std::invalid_argument>("Spline: control point ", i, " is off its group by ", drift,
-                                      ", expected at most ", tolerance, " (the norm of a rotation is 1)");
+        detail::refuse<std::invalid_argument>("Spline: control point ", i, " is off its group by ", drift,
+                                              ", expected at most ", tolerance, " (the norm of a rotation is 1)");
       }
       return GroupTraits<G>::normalized(x);
     } else {
@@ -158,9 +165,10 @@ class Spline {
   [[nodiscard]] static Tangent<G> checked_increment([[maybe_unused]] std::size_t i, const G& x, const G& y) {
     const Tangent<G> d = increment<G>(x, y);
     if constexpr (std::floating_point<Scalar>) {
-      if (!all_finite(d)) {
-        refuse<std::invalid_argument>("Spline: control points ", i, " and ", i + 1,
-                                      " have no finite increment, expected finite values and a non-zero rotation part");
+      if (!detail::all_finite(d)) {
+        detail::refuse<std::invalid_argument>(
+            "Spline: control points ", i, " and ", i + 1,
+            " have no finite increment, expected finite values and a non-zero rotation part");
       }
     }
     return d;

@@ -36,38 +36,40 @@ struct UniformKnots {
   /// and tell the knots apart, and Scalar, the scalar of the curve, can represent the interval and its reciprocal.
   template <typename Scalar = typename detail::UsualScalar<Time>::type>
   void check(std::size_t control_points, int order) const {
-    const auto number = printable(interval);
-    if (!(number > 0) || !is_finite(interval)) {
-      refuse<std::invalid_argument>("UniformKnots: interval is ", number, ", expected a positive finite number");
+    const auto number = detail::seconds_or_ticks(interval);
+    if (!(number > 0) || !detail::is_finite(interval)) {
+      detail::refuse<std::invalid_argument>("UniformKnots: interval is ", number,
+                                            ", expected a positive finite number");
     }
-    if (!is_finite(start)) {
-      refuse<std::invalid_argument>("UniformKnots: start is ", printable(start), ", expected a finite number");
+    if (!detail::is_finite(start)) {
+      detail::refuse<std::invalid_argument>("UniformKnots: start is ", detail::seconds_or_ticks(start),
+                                            ", expected a finite number");
     }
     const std::size_t segments = control_points - static_cast<std::size_t>(order) + 1;
     bool reached;
     if constexpr (std::floating_point<Time>) {
-      reached = is_finite(domain(control_points, order).end);
+      reached = detail::is_finite(domain(control_points, order).end);
     } else {
       reached = segments <= static_cast<std::size_t>((Time::max)() / interval) &&
                 start <= (Time::max)() - static_cast<typename Time::rep>(segments) * interval;
     }
     if (!reached) {
-      refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " starting at ",
-                                    printable(start), " exceed the largest representable time");
+      detail::refuse<std::invalid_argument>("UniformKnots: ", segments, " segments of ", number, " starting at ",
+                                            detail::seconds_or_ticks(start), " exceed the largest representable time");
     }
     if constexpr (std::floating_point<Time>) {
       const Time end = domain(control_points, order).end, last = (std::max)(std::abs(start), std::abs(end));
       detail::check_lengths<Scalar>("UniformKnots", interval, end - start);
       const Time resolution = std::numeric_limits<Time>::epsilon() * last;
       if (interval < 4 * resolution) {
-        refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times near ", last,
-                                      " s have a resolution of ", resolution,
-                                      " s; expected a longer interval or an integer time type");
+        detail::refuse<std::invalid_argument>("UniformKnots: interval is ", interval, " s, but times near ", last,
+                                              " s have a resolution of ", resolution,
+                                              " s; expected a longer interval or an integer time type");
       }
     }
   }
 
-  [[nodiscard]] Domain<Time> domain(std::size_t control_points, int order) const {
+  [[nodiscard]] detail::Domain<Time> domain(std::size_t control_points, int order) const {
     return {start, knot(control_points - static_cast<std::size_t>(order) + 1, order)};
   }
 
@@ -98,19 +100,19 @@ struct UniformKnots {
           clamped < static_cast<Time>(last) ? static_cast<std::size_t>(static_cast<std::ptrdiff_t>(clamped)) : last;
       return s > 0 && since_knot(s, t) < 0 ? s - 1 : s;
     } else {
-      const Time since = time_between(start, t);
+      const Time since = detail::time_between(start, t);
       return since < Time::zero() ? 0 : (std::min)(static_cast<std::size_t>(since / interval), last);
     }
   }
 
   template <typename Scalar, int Order, int D>
-  [[nodiscard]] BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
-    using Real = Constant<Scalar>;
+  [[nodiscard]] detail::BasisAt<Scalar, Order, D> basis(Time t, std::size_t control_points) const {
+    using Real = detail::Constant<Scalar>;
     const std::size_t s = segment(t, control_points, Order);
     Real u;
     if constexpr (!std::floating_point<Time>) {
       // A difference of two times since the start, because t − knot may overflow Time.
-      const Time since_knot = time_between(start, t) - (knot(s, Order) - start);
+      const Time since_knot = detail::time_between(start, t) - (knot(s, Order) - start);
       u = static_cast<Real>(since_knot.count()) / static_cast<Real>(interval.count());
     } else if constexpr (std::numeric_limits<Real>::digits > std::numeric_limits<Time>::digits) {
       u = Real(since_knot(s, t)) / Real(interval);
@@ -138,16 +140,17 @@ struct UniformKnots {
     /// The basis at several times, bitwise equal to basis(). t is in seconds if Time is double, in ticks since begin()
     /// if it is an integer duration.
     template <int D, typename Real, int N, int Bytes>
-    [[nodiscard]] CumulativeBasis<Lanes<Real, N, Bytes>, Order, D> basis(const Lanes<double, N, Bytes>& t) const {
-      using L = Lanes<Real, N, Bytes>;
-      using Wide = Lanes<double, N, Bytes>;
+    [[nodiscard]] CumulativeBasis<detail::SimdPack<Real, N, Bytes>, Order, D> basis(
+        const detail::SimdPack<double, N, Bytes>& t) const {
+      using L = detail::SimdPack<Real, N, Bytes>;
+      using Wide = detail::SimdPack<double, N, Bytes>;
       if constexpr (std::floating_point<Time>) {
         // Subtracting offset_ is exact (Sterbenz), so subtracting offset_error_ rounds as the fma in since_knot() does.
         const Wide rest = ((t - Wide(start_)) - Wide(offset_)) - Wide(offset_error_);
-        const L u = lanes_cast<Real>(normal_powers<Real>(rest / Wide(interval_)));
+        const L u = detail::simd_pack_cast<Real>(normal_powers<Real>(rest / Wide(interval_)));
         return uniform_basis<Order, D, L>(u, L(static_cast<Real>(interval_)));
       } else {
-        const L u = lanes_cast<Real>(t) / L(static_cast<Real>(interval_.count()));
+        const L u = detail::simd_pack_cast<Real>(t) / L(static_cast<Real>(interval_.count()));
         return uniform_basis<Order, D, L>(u, L(to_seconds<Real>(interval_)));
       }
     }

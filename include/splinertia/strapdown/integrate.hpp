@@ -53,7 +53,7 @@ template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_r
     const IntegrationOptions<std::type_identity_t<Scalar>, Frame>& options = {}) {
   std::vector<NavState<Scalar, Time>> states;
   if constexpr (requires { std::ranges::size(samples); }) states.reserve(std::ranges::size(samples) + 1);
-  flattened<Scalar>([&] {
+  detail::flattened<Scalar>([&] {
     integrate<Scheme>(
         initial, samples, gravity, [&](const NavState<Scalar, Time>& state) { states.push_back(state); }, options);
   });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/strapdown/detail/sample_window.hpp>
@@ -32,12 +33,12 @@ class Integrator {
   explicit Integrator(const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
                       const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
       : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {
-    require_all_finite("integrate", "the initial attitude", initial.R_WB.unit_quaternion().coeffs());
-    require_all_finite("integrate", "the initial velocity", initial.v_WB);
-    require_all_finite("integrate", "the initial position", initial.p_WB);
-    require_all_finite("integrate", "gravity", gravity);
+    detail::require_all_finite("integrate", "the initial attitude", initial.R_WB.unit_quaternion().coeffs());
+    detail::require_all_finite("integrate", "the initial velocity", initial.v_WB);
+    detail::require_all_finite("integrate", "the initial position", initial.p_WB);
+    detail::require_all_finite("integrate", "gravity", gravity);
     if constexpr (requires { frame.rate; })
-      require_all_finite("integrate", "the angular rate of the world", frame.rate);
+      detail::require_all_finite("integrate", "the angular rate of the world", frame.rate);
   }
 
   /// The same with the scheme as an argument, so that the type can be deduced.
@@ -50,11 +51,11 @@ class Integrator {
   /// finite or beyond largest_factor(), for a stamp that is not after the last one, and for a gap that is refused. Then
   /// nothing has changed.
   template <typename AnySample>
-  [[gnu::always_inline]] void push(const AnySample& sample, const auto& visit) {
-    if constexpr (check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));
+  SPLINERTIA_ALWAYS_INLINE void push(const AnySample& sample, const auto& visit) {
+    if constexpr (detail::check_sample<Scheme, Scalar, Time, AnySample>()) window_.push(sample, step(visit));
   }
   template <typename AnySample>
-  [[gnu::always_inline]] void push(const AnySample& sample) {
+  SPLINERTIA_ALWAYS_INLINE void push(const AnySample& sample) {
     push(sample, [](const State&) {});
   }
 
@@ -71,15 +72,15 @@ class Integrator {
  private:
   [[nodiscard]] auto step(const auto& visit) {
     return [this, &visit](const auto& samples, std::size_t from, Time time) {
-      const auto increment = step_increment<Scheme, Scalar>(samples, from);
-      state_ = flattened<Scalar>([&] { return frame_.advance(state_, increment, gravity_, time); });
+      const auto increment = detail::step_increment<Scheme, Scalar>(samples, from);
+      state_ = detail::flattened<Scalar>([&] { return frame_.advance(state_, increment, gravity_, time); });
       visit(state_);
     };
   }
 
   State state_;
   Vector3<Scalar> gravity_;
-  SampleWindow<Scheme, Scalar, Time> window_;
+  detail::SampleWindow<Scheme, Scalar, Time> window_;
   [[no_unique_address]] Frame frame_;
 };
 

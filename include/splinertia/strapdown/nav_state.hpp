@@ -37,7 +37,8 @@ template <Pose G, int D, TimePoint Time>
   using Scalar = ScalarOf<G>;
   const G imu = imu_pose(motion.value, mounting);
   const Vector3<Scalar> turn = angular_velocity(motion).cross(mounting.p_BI);
-  return {rotation(imu), world_velocity(motion) + rotate<Scalar>(rotation(motion.value).unit_quaternion(), turn),
+  return {rotation(imu),
+          world_velocity(motion) + detail::rotate<Scalar>(rotation(motion.value).unit_quaternion(), turn),
           position(imu), time};
 }
 
@@ -46,6 +47,8 @@ template <typename Scalar, TimePoint Time>
 [[nodiscard]] Stamped<SO3xR3<Scalar>, Time> stamped_pose(const NavState<Scalar, Time>& state) {
   return {state.time, {state.R_WB, state.p_WB}};
 }
+
+namespace detail {
 
 /// The product q r of unit quaternions, normalised; without that, rounding would let the norm drift from step to step.
 template <typename Scalar>
@@ -57,18 +60,21 @@ template <typename Scalar>
   return rotation_from_unit_quaternion(Eigen::Quaternion<Scalar>(product.coeffs() * scale));
 }
 
+}  // namespace detail
+
 /// An inertial world, the default Frame: the motion is what the IMU has measured plus gravity.
 ///   R₁ = R₀ ΔR,  v₁ = v₀ + g h + R₀ Δv,  p₁ = p₀ + v₀ h + g h²/2 + R₀ Δp
 struct InertialFrame {
   template <typename Scalar, typename Time>
   [[nodiscard]] NavState<Scalar, Time> advance(const NavState<Scalar, Time>& state,
-                                               const NavIncrement<Scalar>& increment, const Vector3<Scalar>& gravity,
-                                               Time time) const {
+                                               const detail::NavIncrement<Scalar>& increment,
+                                               const Vector3<Scalar>& gravity, Time time) const {
     const auto& q = state.R_WB.unit_quaternion();
     const Scalar h = increment.interval;
     const Vector3<Scalar> fall = gravity * h;
-    return {advance_attitude<Scalar>(q, increment.rotation), state.v_WB + fall + rotate<Scalar>(q, increment.velocity),
-            state.p_WB + (state.v_WB + fall / Scalar(2)) * h + rotate<Scalar>(q, increment.position), time};
+    return {detail::advance_attitude<Scalar>(q, increment.rotation),
+            state.v_WB + fall + detail::rotate<Scalar>(q, increment.velocity),
+            state.p_WB + (state.v_WB + fall / Scalar(2)) * h + detail::rotate<Scalar>(q, increment.position), time};
   }
 };
 

@@ -11,7 +11,7 @@
 #include "support/catch.hpp"
 #include "support/message_of.hpp"
 
-using splinertia::allan::AveragingFactors;
+using splinertia::allan::detail::AveragingFactors;
 using splinertia::testing::message_of;
 using Factors = std::vector<std::int64_t>;
 

@@ -14,9 +14,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Selection = BandSelection<double>;
 using Gaps = std::vector<std::pair<std::size_t, std::size_t>>;

@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 TEST_CASE("Tails of the deviation are those of the normal distribution") {
   for (const double freedom : {1.0, 2.0, 4.0, 7.5, 30.0, 1000.0, 1e6}) {

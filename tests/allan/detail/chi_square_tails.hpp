@@ -6,6 +6,8 @@
 
 namespace splinertia::allan {
 
+using namespace splinertia::detail;
+
 /// P(X <= x), x >= 0.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_cdf(Scalar x, Scalar degrees_of_freedom) {

@@ -9,8 +9,11 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 namespace {
+
+using namespace splinertia::detail;
 
 struct Reference {
   double degrees_of_freedom;

@@ -7,9 +7,11 @@
 
 #include "support/catch.hpp"
 
-using splinertia::allan::CompensatedSum;
+using splinertia::allan::detail::CompensatedSum;
 
 namespace {
+
+using namespace splinertia::detail;
 
 template <typename Scalar>
 constexpr Scalar sum_of(auto... summands) {

@@ -17,8 +17,11 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Count = std::int64_t;
 

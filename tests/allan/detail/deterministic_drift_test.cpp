@@ -10,9 +10,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 constexpr std::size_t size = 60'000;
 constexpr double rate = 100, deviation = 0.01;
@@ -40,15 +43,15 @@ TEST_CASE("White noise has no drift to speak of") {
 }
 
 TEST_CASE("The gain of a step is its square over its variance") {
-  for (const double place : {0.2, 0.5, 0.83}) {
+  for (const double index_of : {0.2, 0.5, 0.83}) {
     auto y = white(7);
-    for (std::size_t i = 0; i < size; ++i) y[i] += time_of(i) < place * 600 ? 0 : deviation / 2;
+    for (std::size_t i = 0; i < size; ++i) y[i] += time_of(i) < index_of * 600 ? 0 : deviation / 2;
     const auto drift = drift_of(y);
-    INFO("at " << place);
+    INFO("at " << index_of);
     REQUIRE(drift.steps.size() == 1);
-    CHECK_THAT(drift.steps[0], WithinAbs(place * 600, 3));
+    CHECK_THAT(drift.steps[0], WithinAbs(index_of * 600, 3));
     // (δ/σ)²·n·p(1 − p), less 9 for its price.
-    CHECK_THAT(drift.gain, WithinRel(size * place * (1 - place) / 4, 0.1));
+    CHECK_THAT(drift.gain, WithinRel(size * index_of * (1 - index_of) / 4, 0.1));
   }
 }
 

@@ -14,9 +14,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// S_ki = √(2/n) sin(πik/n), i, k = 1 … n − 1, with the angle reduced exactly.
 template <typename Scalar>
@@ -54,7 +57,7 @@ Eigen::MatrixXd tridiagonal(Eigen::Index size) {
   return T;
 }
 
-constexpr std::size_t place(NoiseTerm term) { return static_cast<std::size_t>(term); }
+constexpr std::size_t index_of(NoiseTerm term) { return static_cast<std::size_t>(term); }
 
 }  // namespace
 
@@ -177,10 +180,10 @@ TEMPLATE_TEST_CASE("What the bins of a spectrum hold", "", double, long double) 
       CHECK(std::abs(bin.power - sum) <= tolerance * std::sqrt(sum * bin.count));
       CHECK(std::abs(bin.ramp_product - product) <= tolerance * std::sqrt(square * bin.count));
       CHECK(std::abs(bin.ramp_square - square) <= tolerance * square);
-      CHECK(std::abs(bin.basis[place(NoiseTerm::white)] / white - 1) <= tolerance);
-      CHECK(bin.basis[place(NoiseTerm::random_walk)] == 1);
-      CHECK(std::abs(bin.basis[place(NoiseTerm::bias_instability)] / flicker - 1) <= tolerance);
-      CHECK(std::abs(bin.basis[place(NoiseTerm::quantization)] / quantization - 1) <= tolerance);
+      CHECK(std::abs(bin.basis[index_of(NoiseTerm::white)] / white - 1) <= tolerance);
+      CHECK(bin.basis[index_of(NoiseTerm::random_walk)] == 1);
+      CHECK(std::abs(bin.basis[index_of(NoiseTerm::bias_instability)] / flicker - 1) <= tolerance);
+      CHECK(std::abs(bin.basis[index_of(NoiseTerm::quantization)] / quantization - 1) <= tolerance);
       const Scalar middle = static_cast<Scalar>(first + k - 1) / 2;
       CHECK(std::abs(bin.frequency * static_cast<Scalar>(2 * n) / (middle * rate) - 1) <= tolerance);
       power += bin.power;

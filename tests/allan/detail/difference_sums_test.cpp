@@ -9,9 +9,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 /// The running sums of integers below 2³⁰ are exact in double, so that all error is of the sums of squares.
 constexpr long double limit = 1e-13L;
@@ -39,13 +42,13 @@ TEST_CASE("Factors that double make chains") {
   const auto chains = doubling_chains({1, 2, 3, 4, 5, 6, 8, 12, 16, 32}, 4);
   REQUIRE(chains.size() == 4);
   CHECK(chains[0].first == 1);
-  CHECK(chains[0].places == std::vector<std::size_t>{0, 1, 3, 6});
+  CHECK(chains[0].indices == std::vector<std::size_t>{0, 1, 3, 6});
   CHECK(chains[1].first == 3);
-  CHECK(chains[1].places == std::vector<std::size_t>{2, 5, 7});
+  CHECK(chains[1].indices == std::vector<std::size_t>{2, 5, 7});
   CHECK(chains[2].first == 5);
-  CHECK(chains[2].places == std::vector<std::size_t>{4});
+  CHECK(chains[2].indices == std::vector<std::size_t>{4});
   CHECK(chains[3].first == 16);
-  CHECK(chains[3].places == std::vector<std::size_t>{8, 9});
+  CHECK(chains[3].indices == std::vector<std::size_t>{8, 9});
   CHECK(doubling_chains({1, 2, 4}, 1).size() == 3);
   CHECK(doubling_chains({}, 4).empty());
 }

@@ -14,9 +14,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Bands = FitBands<double>;
 using Octave = Bands::Octave;

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 TEMPLATE_TEST_CASE("The tails of neighbouring shapes differ by the density", "", double, long double) {
   const TestType epsilon = std::numeric_limits<TestType>::epsilon();

@@ -15,9 +15,12 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Count = std::int64_t;
 

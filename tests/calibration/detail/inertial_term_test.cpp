@@ -13,6 +13,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using testing::message_of;
 using Rows = CalibrationRows;
 
@@ -110,21 +111,21 @@ void check_normal_equations() {
   for (std::size_t i = 0; i < curve.control_points().size(); ++i) {
     for (int k = 0; k < 6; ++k) {
       const G kept = curve.control_points()[i];
-      const auto moved = [&](double by) {
+      const auto retracted = [&](double by) {
         curve.set_control_point(i, GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * by)));
         const Eigen::VectorXd there = residuals(curve, samples, options.calibration);
         curve.set_control_point(i, kept);
         return there;
       };
-      J.col(column++) = (moved(h) - moved(-h)) / (2 * h);
+      J.col(column++) = (retracted(h) - retracted(-h)) / (2 * h);
     }
   }
   for (int k = 0; k < Rows::count; ++k) {
-    const auto moved = [&](double by) {
+    const auto retracted = [&](double by) {
       return residuals(curve, samples,
-                       term.moved(options.calibration, Eigen::Matrix<double, Rows::count, 1>::Unit(k) * by));
+                       term.retracted(options.calibration, Eigen::Matrix<double, Rows::count, 1>::Unit(k) * by));
     };
-    J.col(column++) = (moved(h) - moved(-h)) / (2 * h);
+    J.col(column++) = (retracted(h) - retracted(-h)) / (2 * h);
   }
   const Eigen::MatrixXd A = dense(system), expected = J.transpose() * J;
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
@@ -209,7 +210,7 @@ TEST_CASE("Gravity turns, its amount is kept") {
     const InertialTerm<Curve<SO3xR3<double>>> term(some_samples(), options, curve);
     Eigen::Matrix<double, Rows::count, 1> step = Eigen::Matrix<double, Rows::count, 1>::Zero();
     step.segment<2>(Rows::gravity) << 0.03, -0.04;
-    const Eigen::Vector3d turned = term.moved(options.calibration, step).gravity;
+    const Eigen::Vector3d turned = term.retracted(options.calibration, step).gravity;
     CHECK_THAT(turned.norm(), WithinRel(gravity.norm(), 1e-15));
     CHECK_THAT(std::acos(turned.normalized().dot(gravity.normalized())), WithinRel(std::atan(0.05), 1e-11));
   }
@@ -221,11 +222,11 @@ TEST_CASE("The time offset stays within its limit") {
   const InertialTerm<Curve<SO3xR3<double>>> term(some_samples(), options, curve);
   Eigen::Matrix<double, Rows::count, 1> step = Eigen::Matrix<double, Rows::count, 1>::Zero();
   step[Rows::time_offset] = 0.05;
-  CHECK(term.moved(options.calibration, step).time_offset == 0.04 + 0.05);
+  CHECK(term.retracted(options.calibration, step).time_offset == 0.04 + 0.05);
   step[Rows::time_offset] = 1;
-  CHECK(term.moved(options.calibration, step).time_offset == 0.1);
+  CHECK(term.retracted(options.calibration, step).time_offset == 0.1);
   step[Rows::time_offset] = -1;
-  CHECK(term.moved(options.calibration, step).time_offset == -0.1);
+  CHECK(term.retracted(options.calibration, step).time_offset == -0.1);
 }
 
 TEST_CASE("Samples that the time offset could bring beyond the curve are left out") {

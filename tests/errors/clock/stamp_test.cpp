@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 TEST_CASE("The next stamp in seconds is another nanosecond in a file, and hardly later") {

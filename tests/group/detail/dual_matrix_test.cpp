@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 TEST_CASE("Dual matrices calculate as the matrices that they stand for") {

@@ -5,6 +5,7 @@
 #include "group/sophus_laws.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEMPLATE_TEST_CASE("SO(2) and SE(2) are Lie groups", "[group]", float, double, long double) {
   laws::hold_for<Sophus::SO2<TestType>>();

@@ -4,6 +4,7 @@
 #include "group/sophus_laws.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

@@ -8,9 +8,11 @@
 
 #include "support/catch.hpp"
 
-using splinertia::stumpff;
+using splinertia::detail::stumpff;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Real = long double;
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -135,7 +137,8 @@ TEMPLATE_TEST_CASE("at zero the coefficients are 1/n!", "[group]", float, double
     CHECK(std::abs(c.full[n] * factorial - 1) <= std::numeric_limits<TestType>::epsilon());
     CHECK(std::abs(c.half[n] * factorial - 1) <= std::numeric_limits<TestType>::epsilon());
   }
-  CHECK(std::abs(splinertia::inverse_jacobian_coefficient(c) * 12 - 1) <= std::numeric_limits<TestType>::epsilon());
+  CHECK(std::abs(splinertia::detail::inverse_jacobian_coefficient(c) * 12 - 1) <=
+        std::numeric_limits<TestType>::epsilon());
 }
 
 TEMPLATE_TEST_CASE("c_n + X c_(n+2) = 1/n!", "[group]", float, double, long double) {
@@ -154,7 +157,7 @@ TEMPLATE_TEST_CASE("c_n + X c_(n+2) = 1/n!", "[group]", float, double, long doub
 }
 
 TEMPLATE_TEST_CASE("E = (1 - (t/2) cot(t/2))/t²", "[group]", float, double) {
-  const auto E = [](auto X) { return splinertia::inverse_jacobian_coefficient(stumpff<3>(X)); };
+  const auto E = [](auto X) { return splinertia::detail::inverse_jacobian_coefficient(stumpff<3>(X)); };
   const auto truth = [](Real X) { return (series(2, X / 4) - series(3, X / 4)) / (4 * series(1, X / 4)); };
   CHECK(worst_error<TestType>(0, pi, E, truth, truth) < 2.5);
   // Against the closed form, where that has digits left.
@@ -171,22 +174,27 @@ TEST_CASE("derivatives of the coefficients against central differences", "[group
     const auto c = at(theta), forward = at(theta + h), backward = at(theta - h);
     const auto slope = [&](Real f, Real b) { return (f - b) / (2 * h * theta); };
     const Real tolerance = 1e-11L;  // h² and eps/h
-    CHECK(std::abs(splinertia::stumpff_derivative<1>(c) - slope(forward.full[1], backward.full[1])) < tolerance);
-    CHECK(std::abs(splinertia::stumpff_derivative<2>(c) - slope(forward.full[2], backward.full[2])) < tolerance);
-    CHECK(std::abs(splinertia::stumpff_derivative<3>(c) - slope(forward.full[3], backward.full[3])) < tolerance);
-    CHECK(std::abs(splinertia::stumpff_derivative<4>(c) - slope(forward.full[4], backward.full[4])) < tolerance);
-    CHECK(std::abs(splinertia::stumpff_derivative<5>(c) - slope(forward.full[5], backward.full[5])) < tolerance);
-    const auto E = [](const auto& x) { return splinertia::inverse_jacobian_coefficient(x); };
-    CHECK(std::abs(splinertia::inverse_jacobian_coefficient_derivative(c) - slope(E(forward), E(backward))) <
+    CHECK(std::abs(splinertia::detail::stumpff_derivative<1>(c) - slope(forward.full[1], backward.full[1])) <
+          tolerance);
+    CHECK(std::abs(splinertia::detail::stumpff_derivative<2>(c) - slope(forward.full[2], backward.full[2])) <
+          tolerance);
+    CHECK(std::abs(splinertia::detail::stumpff_derivative<3>(c) - slope(forward.full[3], backward.full[3])) <
+          tolerance);
+    CHECK(std::abs(splinertia::detail::stumpff_derivative<4>(c) - slope(forward.full[4], backward.full[4])) <
+          tolerance);
+    CHECK(std::abs(splinertia::detail::stumpff_derivative<5>(c) - slope(forward.full[5], backward.full[5])) <
+          tolerance);
+    const auto E = [](const auto& x) { return splinertia::detail::inverse_jacobian_coefficient(x); };
+    CHECK(std::abs(splinertia::detail::inverse_jacobian_coefficient_derivative(c) - slope(E(forward), E(backward))) <
           tolerance);
   }
 }
 
 TEST_CASE("the number of terms follows from the type", "[group]") {
   // One term fewer costs 25 eps in E (double, measured); one more costs time.
-  STATIC_CHECK(splinertia::stumpff_terms(4, 24) >= 5);
-  STATIC_CHECK(splinertia::stumpff_terms(4, 53) >= 9);
-  STATIC_CHECK(splinertia::stumpff_terms(4, 64) >= 10);
-  STATIC_CHECK(splinertia::stumpff_terms(6, 53) >= 8);
-  STATIC_CHECK(splinertia::stumpff_terms(4, 53) <= 10);
+  STATIC_CHECK(splinertia::detail::stumpff_terms(4, 24) >= 5);
+  STATIC_CHECK(splinertia::detail::stumpff_terms(4, 53) >= 9);
+  STATIC_CHECK(splinertia::detail::stumpff_terms(4, 64) >= 10);
+  STATIC_CHECK(splinertia::detail::stumpff_terms(6, 53) >= 8);
+  STATIC_CHECK(splinertia::detail::stumpff_terms(4, 53) <= 10);
 }

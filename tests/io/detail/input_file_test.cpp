@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using test::error_of;
 
 TEST_CASE("bytes come in pieces of the reader's choice") {

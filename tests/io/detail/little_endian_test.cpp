@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("the lowest byte comes first") {
   std::array<char, 8> bytes{};

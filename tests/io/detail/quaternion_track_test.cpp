@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using Eigen::Quaterniond;
 
 namespace {

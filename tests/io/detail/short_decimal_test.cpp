@@ -13,6 +13,7 @@
 #if defined(__SIZEOF_INT128__)
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -123,17 +124,17 @@ TEMPLATE_TEST_CASE("Decay, rise, logarithm and oscillation are those functions, 
   const Scalar x = Scalar(0.7);
   const double given = static_cast<double>(x);
   const double tolerance = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-  CHECK_THAT(static_cast<double>(exponential_decay(x)), WithinRel(std::exp(-given), tolerance));
-  CHECK_THAT(static_cast<double>(exponential_rise(x)), WithinRel(1 - std::exp(-given), tolerance));
+  CHECK_THAT(static_cast<double>(exp_minus(x)), WithinRel(std::exp(-given), tolerance));
+  CHECK_THAT(static_cast<double>(one_minus_exp_minus(x)), WithinRel(1 - std::exp(-given), tolerance));
   CHECK_THAT(static_cast<double>(logarithm(x)), WithinRel(std::log(given), tolerance));
   const Oscillation<Scalar> oscillation(x);
   CHECK_THAT(static_cast<double>(oscillation.sine), WithinAbs(std::sin(2 * std::numbers::pi * given), 4 * tolerance));
   CHECK_THAT(static_cast<double>(oscillation.cosine), WithinAbs(std::cos(2 * std::numbers::pi * given), 4 * tolerance));
-  CHECK(exponential_decay(Scalar(0)) == 1);
-  CHECK(exponential_rise(Scalar(0)) == 0);
-  CHECK(exponential_decay(std::numeric_limits<Scalar>::max()) == 0);
-  CHECK(exponential_rise(std::numeric_limits<Scalar>::max()) == 1);
-  CHECK(exponential_rise(std::numeric_limits<Scalar>::denorm_min()) == std::numeric_limits<Scalar>::denorm_min());
+  CHECK(exp_minus(Scalar(0)) == 1);
+  CHECK(one_minus_exp_minus(Scalar(0)) == 0);
+  CHECK(exp_minus(std::numeric_limits<Scalar>::max()) == 0);
+  CHECK(one_minus_exp_minus(std::numeric_limits<Scalar>::max()) == 1);
+  CHECK(one_minus_exp_minus(std::numeric_limits<Scalar>::denorm_min()) == std::numeric_limits<Scalar>::denorm_min());
 }
 
 TEST_CASE("The functions are the same to the last bit on every compiler and platform") {

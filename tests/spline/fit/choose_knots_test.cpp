@@ -13,6 +13,7 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using testing::message_of;
 
 namespace {

@@ -23,6 +23,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 using testing::message_of;
 
@@ -155,7 +156,7 @@ const std::vector<RobustLoss> robust_losses{RobustLoss::huber(), RobustLoss::cau
 
 TEST_CASE("On Rⁿ one step is exact, and is the dense least squares solution") {
   const auto poses = wave(150, 10);
-  const auto fitted = fit<Line>(poses, {.knot_interval = 0.5, .hold_ends = false});
+  const auto fitted = fit<Line>(poses, {.knot_interval = 0.5, .regularize_ends = false});
   CHECK(fitted.converged);
   CHECK(fitted.iterations <= 2);
   const Eigen::MatrixXd A = weights_at(poses, fitted.spline);
@@ -193,11 +194,12 @@ TEST_CASE("The deviation of poses is estimated from the residuals") {
     for (int j = 0; j < 12; ++j) noise += 0.5 * random.symmetric();
     poses.push_back({i * 0.01, Number(std::sin(0.01 * i) + 0.02 * noise)});
   }
-  const auto fitted = fit<Line>(poses, {.knot_interval = 0.2, .hold_ends = false});
+  const auto fitted = fit<Line>(poses, {.knot_interval = 0.2, .regularize_ends = false});
   // The median of 4000 magnitudes is good to 1.2/√4000 = 2 %.
   CHECK_THAT(fitted.standard_deviation[0], WithinRel(0.02, 0.06));
   CHECK(fitted.outliers.empty());
-  const auto given = fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .hold_ends = false});
+  const auto given =
+      fit<Line>(poses, {.knot_interval = 0.2, .standard_deviation = Number(0.005), .regularize_ends = false});
   CHECK(given.standard_deviation[0] == 0.005);
   CHECK_FALSE(given.outliers.empty());                             // six of them are 1.5 true ones
   CHECK(largest_difference(fitted.spline, given.spline) < 1e-11);  // a factor of all squares changes nothing
@@ -223,7 +225,7 @@ TEST_CASE("A weight of four is a pose there four times, and of zero none") {
   for (std::size_t i = 1; i < 80; i += 7) weights[i] = 0;
   poses[8].value[0] = 1e3;  // one that does not count, and leaves no trace in the statistics
   REQUIRE(weights[8] == 0);
-  const auto fitted = fit<Line>(poses, {.knot_interval = 0.8, .weights = weights, .hold_ends = false});
+  const auto fitted = fit<Line>(poses, {.knot_interval = 0.8, .weights = weights, .regularize_ends = false});
   const Eigen::MatrixXd all = weights_at(poses, fitted.spline);
   const Eigen::VectorXd values = values_of(poses);
   Eigen::MatrixXd A(0, all.cols());
@@ -283,12 +285,12 @@ TEST_CASE("A jump stays where it is") {
     if (pose.time >= jump) pose.value.get<1>() += step;
   }
   const double interval = 0.05;
-  const auto smooth = fit<SplitCurve>(ellipse_poses(200, 10), {.knot_interval = interval, .hold_ends = false});
+  const auto smooth = fit<SplitCurve>(ellipse_poses(200, 10), {.knot_interval = interval, .regularize_ends = false});
   // Huber's loss is in the end the sum of magnitudes: both sides of the jump pull, and it takes a knot more to be done.
   const auto check = [&](const RobustLoss& loss, double reach) {
     const auto fitted = fit<SplitCurve>(
         poses,
-        {.knot_interval = interval, .standard_deviation = Six::Constant(1e-4), .loss = loss, .hold_ends = false});
+        {.knot_interval = interval, .standard_deviation = Six::Constant(1e-4), .loss = loss, .regularize_ends = false});
     CHECK(fitted.converged);
     double beyond = 0, rotated = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -334,7 +336,7 @@ TEST_CASE("Smoothness is a prior: against the dense solution of the same cost") 
 
 TEST_CASE("Smoothness from none to all") {
   const auto poses = ellipse_poses(50, 6, 0.02);
-  const auto plain = fit<SplitCurve>(poses, {.knot_interval = 0.3, .hold_ends = false});
+  const auto plain = fit<SplitCurve>(poses, {.knot_interval = 0.3, .regularize_ends = false});
   for (const int derivative : {2, 3}) {
     const auto with = [&](double density) {
       return fit<SplitCurve>(
@@ -376,8 +378,8 @@ TEST_CASE("A gap in the data is told and bridged") {
   CHECK(fitted.gaps[0].start == 4);
   CHECK(fitted.gaps[0].end == 6);
   // Control point i shapes 0.2·(i − 3) … 0.2·(i + 1): those of 23 … 29 see nothing but the gap.
-  CHECK(fitted.held_control_points >= 7);
-  CHECK(fitted.held_control_points <= 9);
+  CHECK(fitted.regularized_control_points >= 7);
+  CHECK(fitted.regularized_control_points <= 9);
   CHECK(largest_difference(weighted.spline, fitted.spline) < 1e-9);
 
   // Across the gap the curve is no wilder than beside it, and beside it as if there were none.

@@ -8,6 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using testing::galilean_matrix;
 using testing::matrix_exponential;
 

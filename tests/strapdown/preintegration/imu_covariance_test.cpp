@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -117,6 +118,6 @@ TEST_CASE("No noise, no covariance") {
   CHECK(preintegrated<Midpoint, double>(ImuNoise<double>{}).covariance().matrix().isZero(0));
 }
 
-template class splinertia::ImuCovariance<float>;
-template class splinertia::ImuCovariance<double>;
-template class splinertia::ImuCovariance<long double>;
+template class splinertia::detail::ImuCovariance<float>;
+template class splinertia::detail::ImuCovariance<double>;
+template class splinertia::detail::ImuCovariance<long double>;

@@ -17,6 +17,7 @@
 #include "support/message_of.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 TEST_CASE("preintegrate is a Preintegrator over a range, at no loss") {

@@ -19,6 +19,8 @@
 
 namespace splinertia::testing {
 
+using namespace splinertia::detail;
+
 template <typename Scalar>
 inline constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
 

@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 template class splinertia::Preintegrator<ZeroOrderHold, float>;

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("Runge and Kutta's method converges with order 2 on interpolated samples") {
   testing::check_order<RungeKutta4>(2, testing::regular_stamps);

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 TEST_CASE("The trapezoid converges with order 2") {
   testing::check_order<Trapezoid>(2, testing::regular_stamps);

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The averaging factors m of a curve, in samples. The averaging time is tau = m/rate.
 class AveragingFactors {
@@ -19,8 +19,8 @@ class AveragingFactors {
   /// 16 and >= 4·per_octave on, the double of each factor is a factor too. Second differences over m and 2m then read
   /// the same sums, which makes this grid faster than one of any other ratio.
   [[nodiscard]] static AveragingFactors logarithmic(int per_octave = 5) {
-    require(per_octave >= 1 && per_octave <= 1000, "AveragingFactors::logarithmic", "per_octave", per_octave,
-            "1 to 1000");
+    splinertia::detail::require(per_octave >= 1 && per_octave <= 1000, "AveragingFactors::logarithmic", "per_octave",
+                                per_octave, "1 to 1000");
     return {Grid::logarithmic, per_octave};
   }
   [[nodiscard]] static AveragingFactors octave() { return {Grid::logarithmic, 1}; }  ///< 1, 2, 4, 8 …
@@ -35,12 +35,12 @@ class AveragingFactors {
   /// The factors nearest to these averaging times [s], each at least half a sampling interval.
   template <typename Scalar>
   [[nodiscard]] static AveragingFactors taus(const std::vector<Scalar>& seconds, Scalar rate) {
-    require_positive("AveragingFactors::taus", "rate", rate);
+    splinertia::detail::require_positive("AveragingFactors::taus", "rate", rate);
     std::vector<std::int64_t> factors;
     for (const Scalar& tau : seconds) {
       const Scalar m = tau * rate;
-      require(m >= Scalar(1) / 2 && m < Scalar(std::int64_t{1} << 53), "AveragingFactors::taus", "tau", tau,
-              "at least half a sampling interval");
+      splinertia::detail::require(m >= Scalar(1) / 2 && m < Scalar(std::int64_t{1} << 53), "AveragingFactors::taus",
+                                  "tau", tau, "at least half a sampling interval");
       factors.push_back(static_cast<std::int64_t>(std::llround(m)));
     }
     return given(std::move(factors));
@@ -52,8 +52,8 @@ class AveragingFactors {
     if (grid_ == Grid::given) {
       for (const std::int64_t m : given_) {
         if (m < 1 || m > largest) {
-          refuse<std::invalid_argument>("Allan analysis: averaging factor ", m, " is outside the data, expected 1 to ",
-                                        largest);
+          splinertia::detail::refuse<std::invalid_argument>("Allan analysis: averaging factor ", m,
+                                                            " is outside the data, expected 1 to ", largest);
         }
       }
       result = given_;
@@ -93,4 +93,4 @@ class AveragingFactors {
   std::vector<std::int64_t> given_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

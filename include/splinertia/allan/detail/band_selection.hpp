@@ -8,12 +8,12 @@
 #include <numbers>
 #include <splinertia/allan/detail/chi_square_deviation.hpp>
 #include <splinertia/allan/detail/fit_bands.hpp>
-#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Selects the bins of a spectrum that are used. Bins are left out if the user excluded them or if lines, resonances
 /// and filters give them a power that noise terms do not have.
@@ -172,4 +172,4 @@ class BandSelection {
   std::vector<bool> included_, misfits_, allowed_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -11,7 +11,7 @@
 #include <splinertia/detail/require.hpp>
 #include <type_traits>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The probability that a normal number is within one standard deviation of its mean: erf(1/√2) = 68.27 %.
 template <std::floating_point Scalar>
@@ -29,22 +29,23 @@ using AtLeastDouble = std::conditional_t<std::same_as<Scalar, float>, decltype(1
 /// From here on, each function throws std::invalid_argument for arguments that are not finite or out of range.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_upper_tail(Scalar x, Scalar degrees_of_freedom) {
-  require_non_negative("chi_square_upper_tail", "x", x);
-  require_positive("chi_square_upper_tail", "degrees of freedom", degrees_of_freedom);
+  splinertia::detail::require_non_negative("chi_square_upper_tail", "x", x);
+  splinertia::detail::require_positive("chi_square_upper_tail", "degrees of freedom", degrees_of_freedom);
   using Wide = AtLeastDouble<Scalar>;
   return static_cast<Scalar>(gamma_tails(Wide(degrees_of_freedom) / 2, Wide(x) / 2).upper);
 }
 
 template <std::floating_point Scalar>
 void require_probability(const char* whose, const char* parameter, Scalar value) {
-  require(value > Scalar(0) && value < Scalar(1), whose, parameter, value, "a number between 0 and 1");
+  splinertia::detail::require(value > Scalar(0) && value < Scalar(1), whose, parameter, value,
+                              "a number between 0 and 1");
 }
 
 /// The x with P(X <= x) = probability, 0 < probability < 1.
 template <std::floating_point Scalar>
 [[nodiscard]] Scalar chi_square_quantile(Scalar probability, Scalar degrees_of_freedom) {
   require_probability("chi_square_quantile", "probability", probability);
-  require_positive("chi_square_quantile", "degrees of freedom", degrees_of_freedom);
+  splinertia::detail::require_positive("chi_square_quantile", "degrees of freedom", degrees_of_freedom);
   using Wide = AtLeastDouble<Scalar>;
   const bool upper = probability > Scalar(1) / 2;  // from there on 1 − probability is exact
   const Wide tail = upper ? Wide(1) - Wide(probability) : Wide(probability);
@@ -57,8 +58,8 @@ template <std::floating_point Scalar>
 template <std::floating_point Scalar>
 [[nodiscard]] Interval<Scalar> deviation_interval(Scalar deviation, Scalar degrees_of_freedom,
                                                   Scalar confidence = one_sigma<Scalar>) {
-  require_non_negative("deviation_interval", "deviation", deviation);
-  require_positive("deviation_interval", "degrees of freedom", degrees_of_freedom);
+  splinertia::detail::require_non_negative("deviation_interval", "deviation", deviation);
+  splinertia::detail::require_positive("deviation_interval", "degrees of freedom", degrees_of_freedom);
   require_probability("deviation_interval", "confidence", confidence);
   if (deviation == Scalar(0)) return {Scalar(0), Scalar(0)};
   using Wide = AtLeastDouble<Scalar>;
@@ -76,4 +77,4 @@ template <std::floating_point Scalar>
   return {narrow(bound(true)), narrow(bound(false))};
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The deviation of a mean of squares from its expectation, as a number that is standard normal if the sum of the
 /// squares is chi-square. `ratio` >= 0 is the mean over its expectation, `freedom` > 0 the degrees of freedom.
@@ -32,4 +32,4 @@ template <typename Scalar>
   return root + std::log(scale * x / root) / root;
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

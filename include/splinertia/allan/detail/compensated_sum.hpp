@@ -5,7 +5,7 @@
 
 #include <concepts>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Returns x and keeps the compiler from simplifying across it: with -ffast-math, (a + b) − a would become b. g++ has a
 /// builtin for this since version 12. For clang, CompensatedSum::add() has a pragma.
@@ -42,4 +42,4 @@ class CompensatedSum {
   Scalar lost_{0};
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

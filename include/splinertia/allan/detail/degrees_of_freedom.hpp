@@ -18,7 +18,7 @@
 #include <functional>
 #include <splinertia/detail/require.hpp>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The differences that are squared: of the phase x, the integral of the rate, over steps of m samples. Order 2 is
 /// Allan's, 3 Hadamard's, 1 a first difference of the phase. Modified: x is averaged over m samples before.
@@ -224,10 +224,10 @@ class CorrelationSum {
 /// overlapping differences, m for those that share no rate. 0 if there are too few points.
 [[nodiscard]] inline std::int64_t number_of_terms(DifferenceShape shape, std::int64_t m, std::int64_t phase_points,
                                                   std::int64_t stride = 1) {
-  require(shape.differences >= 1 && shape.differences <= 3, "number_of_terms", "differences", shape.differences,
-          "1, 2 or 3");
-  require(m >= 1, "number_of_terms", "averaging factor m", m, "an integer >= 1");
-  require(stride >= 1, "number_of_terms", "stride", stride, "an integer >= 1");
+  splinertia::detail::require(shape.differences >= 1 && shape.differences <= 3, "number_of_terms", "differences",
+                              shape.differences, "1, 2 or 3");
+  splinertia::detail::require(m >= 1, "number_of_terms", "averaging factor m", m, "an integer >= 1");
+  splinertia::detail::require(stride >= 1, "number_of_terms", "stride", stride, "an integer >= 1");
   const std::int64_t steps = shape.differences + (shape.modified ? 1 : 0);
   const std::int64_t span = (std::max)(phase_points, std::int64_t(1)) - (shape.modified ? 0 : 1);
   return phase_points < 1 || span / m < steps ? 0 : (span - steps * m) / stride + 1;
@@ -244,12 +244,14 @@ class CorrelationSum {
                                                           std::int64_t terms, std::int64_t stride = 1,
                                                           PhaseModel model = PhaseModel::sampled) {
   constexpr const char* name = "equivalent_degrees_of_freedom";
-  require(shape.differences >= 1 && shape.differences <= 3, name, "differences", shape.differences, "1, 2 or 3");
-  require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
-  require(alpha + 2 * shape.differences > 1, name, "alpha", alpha, "more than 1 - 2 * differences");
-  require(m >= 1 && m <= 1'000'000'000'000'000, name, "averaging factor m", m, "an integer from 1 to 10^15");
-  require(terms >= 1, name, "number of terms", terms, "an integer >= 1");
-  require(stride >= 1, name, "stride", stride, "an integer >= 1");
+  splinertia::detail::require(shape.differences >= 1 && shape.differences <= 3, name, "differences", shape.differences,
+                              "1, 2 or 3");
+  splinertia::detail::require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
+  splinertia::detail::require(alpha + 2 * shape.differences > 1, name, "alpha", alpha, "more than 1 - 2 * differences");
+  splinertia::detail::require(m >= 1 && m <= 1'000'000'000'000'000, name, "averaging factor m", m,
+                              "an integer from 1 to 10^15");
+  splinertia::detail::require(terms >= 1, name, "number of terms", terms, "an integer >= 1");
+  splinertia::detail::require(stride >= 1, name, "stride", stride, "an integer >= 1");
   const double lags_per_step = static_cast<double>(m) / static_cast<double>(stride);
   const bool averaged = model == PhaseModel::greenhall_riley && m <= 10000 &&
                         (std::min)(static_cast<double>(terms), (shape.differences + 1) * lags_per_step) <= 100;
@@ -271,4 +273,4 @@ class CorrelationSum {
   return std::clamp(most / (1 + 2 * sum), 1.0, most);
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

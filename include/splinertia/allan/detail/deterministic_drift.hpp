@@ -9,7 +9,7 @@
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// A deterministic mean that may explain slow power, and what it gains in −2·log-likelihood.
 template <typename Scalar>
@@ -59,10 +59,10 @@ class DriftSearch {
       const Column taken = (columns.transpose() * rest)
                                .cwiseAbs2()
                                .cwiseQuotient(columns.colwise().squaredNorm().transpose().cwiseMax(least_norm));
-      Eigen::Index place = 0;
-      taken.maxCoeff(&place);
-      times.push_back((static_cast<Scalar>(place) + Scalar(1) / 2) / positions);
-      take(columns, place, rest);
+      Eigen::Index column = 0;
+      taken.maxCoeff(&column);
+      times.push_back((static_cast<Scalar>(column) + Scalar(1) / 2) / positions);
+      take(columns, column, rest);
       const Scalar gain = all - rest.squaredNorm() - static_cast<Scalar>(count) * (price + time_price);
       if (gain > best.gain) best = {gain, times};
     }
@@ -73,10 +73,10 @@ class DriftSearch {
   static constexpr Scalar least_norm = Scalar(1e-12);
 
   /// Projects a column out of the others and of the rest, which are then orthogonal to it.
-  static void take(Matrix& columns, Eigen::Index place, Column& rest) {
-    const Scalar norm = columns.col(place).norm();
+  static void take(Matrix& columns, Eigen::Index column, Column& rest) {
+    const Scalar norm = columns.col(column).norm();
     if (!(norm > least_norm)) return;
-    const Column unit = columns.col(place) / norm;
+    const Column unit = columns.col(column) / norm;
     rest -= unit * unit.dot(rest);
     columns -= unit * (unit.transpose() * columns);
   }
@@ -123,4 +123,4 @@ template <typename Scalar>
   return all;
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

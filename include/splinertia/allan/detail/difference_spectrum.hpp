@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The largest length ≤ n with no prime factor above 13, for a fast Fourier transform: it leaves out 0.1 % of a log on
 /// average. n itself up to 1024.
@@ -124,4 +124,4 @@ class DifferenceSpectrum {
   std::vector<Bin> bins_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Factors m, 2m, 4m … Their second differences share reads: x_{i+2m} of one is x_{i+m} of the next.
 struct DoublingChain {
   static constexpr std::size_t longest = 4;
   std::int64_t first;
-  std::vector<std::size_t> places;  ///< the index of each factor in the list
+  std::vector<std::size_t> indices;  ///< the index of each factor in the list
 };
 
 [[nodiscard]] inline std::vector<DoublingChain> doubling_chains(const std::vector<std::int64_t>& factors,
@@ -29,10 +29,10 @@ struct DoublingChain {
     DoublingChain chain{factors[j], {j}};
     for (std::size_t length = 1; length < longest; ++length) {
       const auto next = std::lower_bound(factors.begin(), factors.end(), factors[j] << length);
-      const auto place = static_cast<std::size_t>(next - factors.begin());
-      if (next == factors.end() || *next != factors[j] << length || used[place]) break;
-      used[place] = true;
-      chain.places.push_back(place);
+      const auto index = static_cast<std::size_t>(next - factors.begin());
+      if (next == factors.end() || *next != factors[j] << length || used[index]) break;
+      used[index] = true;
+      chain.indices.push_back(index);
     }
     chains.push_back(std::move(chain));
   }
@@ -46,10 +46,10 @@ template <int Order, std::size_t Factors, typename Scalar>
                                                               std::int64_t end) {
   static_assert(Order == 2 || (Order == 3 && Factors == 1));
   constexpr int lanes = Factors > 2 ? 8 : 16;  // enough to keep the adders busy, few enough for 16 AVX registers
-  using Lanes = Eigen::Array<Scalar, lanes, 1>;
-  using At = Eigen::Map<const Lanes>;
-  std::array<Lanes, Factors> squares;
-  for (Lanes& s : squares) s.setZero();
+  using SimdPack = Eigen::Array<Scalar, lanes, 1>;
+  using At = Eigen::Map<const SimdPack>;
+  std::array<SimdPack, Factors> squares;
+  for (SimdPack& s : squares) s.setZero();
   std::array<Scalar, Factors> rest{};
   // Differences of differences: neighbouring sums are close to each other, so that no digits are lost.
   const auto accumulate = [m](auto at, auto& sums, auto square) {
@@ -69,7 +69,7 @@ template <int Order, std::size_t Factors, typename Scalar>
   };
   std::int64_t i = begin;
   for (; i + lanes <= end; i += lanes) {
-    accumulate([p = x + i](std::int64_t k) { return Lanes(At(p + k)); }, squares,
+    accumulate([p = x + i](std::int64_t k) { return SimdPack(At(p + k)); }, squares,
                [](const auto& d) { return d.square(); });
   }
   for (; i < end; ++i) {
@@ -100,9 +100,9 @@ template <int Order, typename Scalar>
         // Where the differences over the longest factor no longer fit, those over shorter ones go on.
         const std::int64_t reach = Order == 2 ? chain.first << Factors : Order * chain.first;
         const std::int64_t end = (std::min)(tile_begin + tile, points - reach);
-        if (Factors > chain.places.size() || begin >= end) return;
+        if (Factors > chain.indices.size() || begin >= end) return;
         const auto part = squared_differences<Order, Factors>(x.data(), chain.first, begin, end);
-        for (std::size_t k = 0; k < Factors; ++k) sums[chain.places[k]].add(part[k]);
+        for (std::size_t k = 0; k < Factors; ++k) sums[chain.indices[k]].add(part[k]);
         begin = end;
       };
       [&]<std::size_t... Index>(std::index_sequence<Index...>) {
@@ -165,4 +165,4 @@ template <typename Scalar>
   return sum.value();
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

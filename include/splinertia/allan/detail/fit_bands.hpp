@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/chi_square_deviation.hpp>
-#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Compares the power of a log with that of a fitted model, band by band.
 template <typename Scalar>
@@ -146,4 +146,4 @@ class FitBands {
   Scalar tolerance_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -16,7 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// P(a, x) and Q(a, x) = 1 − P of the incomplete gamma function. The smaller one has a small relative error, which 1
 /// minus the other would not have.
@@ -182,4 +182,4 @@ template <std::floating_point Scalar>
   return x;
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -7,7 +7,7 @@
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The used bins of a spectrum in groups. Above the 64th bin, neighbours form groups as wide as a tenth of their
 /// frequency, over which every noise term is nearly linear.
@@ -62,4 +62,4 @@ struct GroupedSpectrum {
   [[nodiscard]] const Group& group(Eigen::Index g) const { return groups[static_cast<std::size_t>(g)]; }
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -9,7 +9,7 @@
 #include <splinertia/allan/detail/difference_spectrum.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The spectrum of one signal's differences, or the pooled spectra of several signals with the same noise (three axes
 /// that are alike), in one unit. Powers are added. Trends stay separate, because each axis drifts in its own direction.
@@ -82,4 +82,4 @@ class PooledSpectrum {
   std::vector<std::vector<TrendSums>> trend_sums_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -22,7 +22,7 @@
 #include <splinertia/detail/require.hpp>
 #include <stdexcept>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Moments of the sum of squares Σ z_i² that the total variance averages, in a unit that depends on the noise.
 struct TotalSquares {
@@ -91,11 +91,11 @@ struct TotalSquares {
 [[nodiscard]] inline double total_degrees_of_freedom(int alpha, std::int64_t m, std::int64_t rates,
                                                      PhaseModel model = PhaseModel::sampled) {
   constexpr const char* name = "total_degrees_of_freedom";
-  require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
-  require(rates >= 2, name, "number of rates", rates, "an integer >= 2");
+  splinertia::detail::require(alpha >= -4 && alpha <= 2, name, "alpha", alpha, "an integer from -4 to 2");
+  splinertia::detail::require(rates >= 2, name, "number of rates", rates, "an integer >= 2");
   if (m < 1 || m > rates / 2) {
-    refuse<std::invalid_argument>(name, ": averaging factor m is ", m, ", expected 1 to ", rates / 2,
-                                  ", half the number of rates");
+    splinertia::detail::refuse<std::invalid_argument>(name, ": averaging factor m is ", m, ", expected 1 to ",
+                                                      rates / 2, ", half the number of rates");
   }
   if (model == PhaseModel::greenhall_riley && alpha <= 0 && alpha >= -2) {
     const double ratio = static_cast<double>(rates) / static_cast<double>(m);
@@ -106,4 +106,4 @@ struct TotalSquares {
   return std::clamp(squares.mean * squares.mean / squares.half_variance, 1.0, static_cast<double>(rates - 1));
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

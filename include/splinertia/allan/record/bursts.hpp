@@ -67,7 +67,7 @@ namespace splinertia::allan {
   constexpr std::size_t longest_burst = 128;
   const std::size_t n = intervals.size();
   if (n < 16) return std::nullopt;
-  const double mean = detail::typical_mean(intervals, longest_burst);
+  const double mean = splinertia::detail::typical_mean(intervals, longest_burst);
   std::vector<double> shorts, pauses;
   for (const double interval : intervals) {
     if (interval < mean / 4) shorts.push_back(interval);
@@ -77,7 +77,7 @@ namespace splinertia::allan {
       pauses.size() < 3) {
     return std::nullopt;
   }
-  const double spacing = detail::median_of(shorts), pause = detail::median_of(pauses);
+  const double spacing = splinertia::detail::median_of(shorts), pause = splinertia::detail::median_of(pauses);
 
   Bursts bursts{0, spacing, 0, 0, 0, 0};
   const auto is_pause = [mean](double interval) { return interval > mean; };

@@ -11,6 +11,8 @@
 
 namespace splinertia::allan {
 
+namespace detail {
+
 /// Whether all samples have the same value: a dead axis, which IntegratedSignal rejects. True for no samples.
 template <Signal S>
 [[nodiscard]] bool is_constant(const S& signal) {
@@ -42,6 +44,8 @@ template <Signal S>
   return result;
 }
 
+}  // namespace detail
+
 /// The spans in which a signal does not change although it usually does, in order: the sensor or a driver hangs. Runs
 /// of equal values are compared with the other runs of the signal. A freeze has at least 50 samples and at least four
 /// times as many as the longest run that is not a freeze, and there are at least twenty other runs for each freeze. A
@@ -56,7 +60,7 @@ template <Signal S>
 template <Signal S>
 [[nodiscard]] std::vector<SampleSpan> find_freezes(const S& signal) {
   constexpr std::int64_t shortest = 50, factor = 4, others_for_each = 20;
-  auto [count, runs] = find_equal_runs(signal, shortest / factor);
+  auto [count, runs] = detail::find_equal_runs(signal, shortest / factor);
   std::vector<std::int64_t> lengths;
   for (const SampleSpan& run : runs) lengths.push_back(run.size());
   std::sort(lengths.begin(), lengths.end());

@@ -141,7 +141,7 @@ namespace splinertia::allan {
 /// cannot be told from a late stamp. Throws std::invalid_argument unless `nominal` is positive and finite.
 [[nodiscard]] inline std::vector<MissingSamples> find_missing_samples(const std::vector<double>& intervals,
                                                                       double nominal) {
-  require_positive("find_missing_samples", "nominal", nominal);
+  splinertia::detail::require_positive("find_missing_samples", "nominal", nominal);
   if (intervals.empty()) return {};
   std::vector<double> deviations;
   deviations.reserve(intervals.size());
@@ -150,7 +150,7 @@ namespace splinertia::allan {
   std::nth_element(deviations.begin(), middle, deviations.end());
   // An interval has the jitter of two stamps. The median of its magnitude is 0.6745 standard deviations.
   const double jitter = *middle / 0.6745 / std::sqrt(2.0);
-  detail::GridSearch search(std::clamp(jitter, 0.1, 0.4));
+  splinertia::detail::GridSearch search(std::clamp(jitter, 0.1, 0.4));
   for (std::size_t i = 0; i < intervals.size(); ++i) search.add(static_cast<std::int64_t>(i), intervals[i] / nominal);
   return search.found();
 }

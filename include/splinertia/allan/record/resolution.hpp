@@ -76,8 +76,8 @@ enum class RoundingEffect {
 /// `none` up to LSB = 0.5 σ, `slight` up to LSB = 2 σ, which are 0.495 and 1.73 times the measured deviation.
 /// Throws std::invalid_argument for a resolution or deviation that is not finite and >= 0.
 [[nodiscard]] inline RoundingEffect rounding_effect(double resolution, double deviation) {
-  require_non_negative("rounding_effect", "resolution", resolution);
-  require_non_negative("rounding_effect", "deviation", deviation);
+  splinertia::detail::require_non_negative("rounding_effect", "resolution", resolution);
+  splinertia::detail::require_non_negative("rounding_effect", "deviation", deviation);
   if (resolution <= 0.495 * deviation) return RoundingEffect::none;
   return resolution <= 1.73 * deviation ? RoundingEffect::slight : RoundingEffect::invalid;
 }
@@ -86,9 +86,9 @@ enum class RoundingEffect {
 /// RoundingEffect::none and slight; 0 if rounding alone explains more than N.
 /// Throws std::invalid_argument for a rate that is not > 0, and for N and a resolution that are not >= 0.
 [[nodiscard]] inline double white_noise_before_rounding(double N, double resolution, double rate) {
-  require_non_negative("white_noise_before_rounding", "N", N);
-  require_non_negative("white_noise_before_rounding", "resolution", resolution);
-  require_positive("white_noise_before_rounding", "rate", rate);
+  splinertia::detail::require_non_negative("white_noise_before_rounding", "N", N);
+  splinertia::detail::require_non_negative("white_noise_before_rounding", "resolution", resolution);
+  splinertia::detail::require_positive("white_noise_before_rounding", "rate", rate);
   return std::sqrt((std::max)(0.0, N * N - resolution * resolution / (12 * rate)));
 }
 

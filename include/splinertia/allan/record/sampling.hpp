@@ -22,6 +22,8 @@
 
 namespace splinertia::allan {
 
+namespace detail {
+
 /// The interval from one sample to the next.
 template <TimePoint Time>
 struct StampInterval {
@@ -30,17 +32,19 @@ struct StampInterval {
   double duration;     ///< s
 };
 
+}  // namespace detail
+
 template <TimePoint Time>
 struct Sampling {
   std::int64_t samples;
-  double rate;                   ///< Hz, of the sensor: missing samples count
-  double nominal_interval;       ///< median of the intervals, s; for bursts 1/rate
-  double jitter;                 ///< root mean square of interval − nominal interval, without gaps, s
-  double largest_jitter;         ///< s
-  StampInterval<Time> longest;   ///< longest of all intervals, gaps included
-  std::int64_t gaps;             ///< number of places where samples are missing
-  std::int64_t missing;          ///< number of missing samples
-  std::optional<Bursts> bursts;  ///< set if the stamps are arrival times of packets; gaps are then their holes
+  double rate;                          ///< Hz, of the sensor: missing samples count
+  double nominal_interval;              ///< median of the intervals, s; for bursts 1/rate
+  double jitter;                        ///< root mean square of interval − nominal interval, without gaps, s
+  double largest_jitter;                ///< s
+  detail::StampInterval<Time> longest;  ///< longest of all intervals, gaps included
+  std::int64_t gaps;                    ///< number of places where samples are missing
+  std::int64_t missing;                 ///< number of missing samples
+  std::optional<Bursts> bursts;         ///< set if the stamps are arrival times of packets; gaps are then their holes
 
   /// Missing samples over all that there should be.
   [[nodiscard]] double missing_share() const {
@@ -56,7 +60,7 @@ namespace splinertia::detail {
 template <TimePoint Time>
 struct StampIntervals {
   std::vector<double> durations;
-  allan::StampInterval<Time> longest{};
+  allan::detail::StampInterval<Time> longest{};
   double total = 0;  // s
 
   template <std::ranges::forward_range Stamps>
@@ -96,12 +100,12 @@ struct StampIntervals {
         refuse<std::invalid_argument>("sampling: stamp ", index, " is ", time, ", expected a finite number");
       }
     } else if (first && *first < Time::zero() && time > (Time::max)() + *first) {
-      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), ", the first one ",
-                                    printable(*first), ", expected a difference that fits their type");
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", seconds_or_ticks(time), ", the first one ",
+                                    seconds_or_ticks(*first), ", expected a difference that fits their type");
     }
     if (last && !(*last < time)) {
-      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", printable(time), ", the one before it ",
-                                    printable(*last), ", expected increasing stamps");
+      refuse<std::invalid_argument>("sampling: stamp ", index, " is ", seconds_or_ticks(time), ", the one before it ",
+                                    seconds_or_ticks(*last), ", expected increasing stamps");
     }
   }
 };
@@ -158,7 +162,7 @@ template <std::ranges::forward_range Stamps>
 [[nodiscard]] Sampling<std::ranges::range_value_t<Stamps>> measure_sampling(const Stamps& stamps,
                                                                             std::span<const std::int64_t> breaks = {}) {
   using Time = std::ranges::range_value_t<Stamps>;
-  const detail::StampIntervals<Time> intervals(stamps, breaks);
+  const splinertia::detail::StampIntervals<Time> intervals(stamps, breaks);
   const std::vector<double>& durations = intervals.durations;
   const auto samples = static_cast<std::int64_t>(durations.size() + breaks.size()) + 1;
   Sampling<Time> result{samples, 0, 0, 0, 0, intervals.longest, 0, 0, find_bursts(durations)};
@@ -170,8 +174,8 @@ template <std::ranges::forward_range Stamps>
     result.missing = result.bursts->missing;
   } else {
     std::vector<double> sorted = durations;
-    result.nominal_interval = detail::median_of(sorted);
-    places = find_missing_samples(durations, detail::grid_interval(durations, result.nominal_interval));
+    result.nominal_interval = splinertia::detail::median_of(sorted);
+    places = find_missing_samples(durations, splinertia::detail::grid_interval(durations, result.nominal_interval));
     result.gaps = static_cast<std::int64_t>(places.size());
     for (const MissingSamples& place : places) result.missing += place.count;
     result.rate = static_cast<double>(static_cast<std::int64_t>(durations.size()) + result.missing) / intervals.total;
@@ -213,27 +217,29 @@ struct SamplingLimits {
 /// Throws std::invalid_argument, saying by how much and where, if the sampling exceeds the limits.
 template <TimePoint Time>
 void require_regular(const Sampling<Time>& sampling, const SamplingLimits& limits = {}) {
-  require_non_negative("SamplingLimits", "missing", limits.missing);
-  require_non_negative("SamplingLimits", "jitter", limits.jitter);
+  splinertia::detail::require_non_negative("SamplingLimits", "missing", limits.missing);
+  splinertia::detail::require_non_negative("SamplingLimits", "jitter", limits.jitter);
   if (sampling.bursts && !limits.arrival_times) {
     const Bursts& bursts = *sampling.bursts;
     std::array<char, 100> text{};
     std::snprintf(text.data(), text.size(), "%.3g samples %.3g s apart, one every %.4g s", bursts.samples,
                   bursts.spacing, bursts.period);
-    refuse<std::invalid_argument>("sampling: the stamps come in bursts of ", text.data(),
-                                  ": they are arrival times of packets and no sample is missing, expected the "
-                                  "times of the samples");
+    splinertia::detail::refuse<std::invalid_argument>(
+        "sampling: the stamps come in bursts of ", text.data(),
+        ": they are arrival times of packets and no sample is missing, expected the "
+        "times of the samples");
   }
   if (sampling.jitter > limits.jitter * sampling.nominal_interval && !limits.arrival_times) {
-    refuse<std::invalid_argument>("sampling: the intervals vary by ", sampling.jitter, " s (rms) about ",
-                                  sampling.nominal_interval, " s, expected at most ", limits.jitter * 100, " % of it");
+    splinertia::detail::refuse<std::invalid_argument>("sampling: the intervals vary by ", sampling.jitter,
+                                                      " s (rms) about ", sampling.nominal_interval,
+                                                      " s, expected at most ", limits.jitter * 100, " % of it");
   }
   if (sampling.missing_share() > limits.missing) {
-    refuse<std::invalid_argument>("sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
-                                  sampling.gaps == 1 ? " gap" : " gaps", ", the longest of ", sampling.longest.duration,
-                                  " s after sample ", sampling.longest.index, " at time ",
-                                  printable(sampling.longest.time), ", expected at most ", limits.missing * 100,
-                                  " % of ", sampling.samples + sampling.missing);
+    splinertia::detail::refuse<std::invalid_argument>(
+        "sampling: ", sampling.missing, " samples are missing in ", sampling.gaps,
+        sampling.gaps == 1 ? " gap" : " gaps", ", the longest of ", sampling.longest.duration, " s after sample ",
+        sampling.longest.index, " at time ", splinertia::detail::seconds_or_ticks(sampling.longest.time),
+        ", expected at most ", limits.missing * 100, " % of ", sampling.samples + sampling.missing);
   }
 }
 

@@ -33,6 +33,8 @@ struct StepOptions {
   std::vector<SampleSpan> left_out = {};  ///< not searched, such as freezes
 };
 
+namespace detail {
+
 /// The search of find_steps(): takes candidates from the strongest to the weakest, fits each and judges it.
 template <std::floating_point Scalar>
 class StepSearch {
@@ -72,12 +74,12 @@ class StepSearch {
   }
 
   void judge(const StepCandidate& candidate) {
-    const SampleSpan window{(candidate.place - candidate.before) * step_block,
-                            (candidate.place + candidate.after) * step_block};
+    const SampleSpan window{(candidate.center - candidate.before) * step_block,
+                            (candidate.center + candidate.after) * step_block};
     const auto overlaps = [&](const SampleSpan& span) { return span.begin < window.end && window.begin < span.end; };
     // A rejected candidate also rejects its neighbours of similar width.
     const auto stands_for = [&](const StepCandidate& other) {
-      return 2 * std::abs(other.place - candidate.place) < other.width && candidate.width <= 2 * other.width &&
+      return 2 * std::abs(other.center - candidate.center) < other.width && candidate.width <= 2 * other.width &&
              other.width <= 2 * candidate.width;
     };
     if (std::any_of(taken_.begin(), taken_.end(), overlaps)) return;
@@ -113,7 +115,7 @@ class StepSearch {
   /// Whether the noise in the candidate's window exceeds the usual noise by as much as the candidate exceeds the
   /// threshold.
   [[nodiscard]] bool is_noisier(const StepCandidate& candidate) {
-    const double here = usual_change({candidate.place - candidate.before, candidate.place + candidate.after});
+    const double here = usual_change({candidate.center - candidate.before, candidate.center + candidate.after});
     return here > noisier * candidate.excess * usual_change_;
   }
 
@@ -152,6 +154,8 @@ class StepSearch {
   std::vector<Step> steps_;
 };
 
+}  // namespace detail
+
 /// Finds changes of a signal's mean that its own noise does not explain, in order of time.
 ///
 /// The means of neighbouring windows are compared at every place, for widths from 32 samples to 1/32 of the signal.
@@ -181,17 +185,17 @@ class StepSearch {
 /// Throws std::invalid_argument for options out of their range.
 template <std::floating_point Scalar>
 [[nodiscard]] std::vector<Step> find_steps(const IntegratedSignal<Scalar>& signal, const StepOptions& options = {}) {
-  require(options.false_alarms > 0 && options.false_alarms < 1, "find_steps", "false_alarms", options.false_alarms,
-          "a probability in (0, 1)");
-  require_non_negative("find_steps", "least_height", options.least_height);
-  return StepSearch<Scalar>(signal, options).steps();
+  splinertia::detail::require(options.false_alarms > 0 && options.false_alarms < 1, "find_steps", "false_alarms",
+                              options.false_alarms, "a probability in (0, 1)");
+  splinertia::detail::require_non_negative("find_steps", "least_height", options.least_height);
+  return detail::StepSearch<Scalar>(signal, options).steps();
 }
 
 /// The same for a signal of samples. Also throws what IntegratedSignal throws: std::invalid_argument for a constant
 /// signal, one with fewer than three samples, or with one that is not finite.
 template <Signal S>
 [[nodiscard]] std::vector<Step> find_steps(const S& signal, const StepOptions& options = {}) {
-  return find_steps(IntegratedSignal(signal, ScalarOfSignal<S>(1)), options);
+  return find_steps(IntegratedSignal(signal, detail::ScalarOfSignal<S>(1)), options);
 }
 
 }  // namespace splinertia::allan

@@ -45,9 +45,9 @@ struct HalfBlock {
 struct BlockLimit {
   BlockLimit(std::vector<double> values, double least) {
     const auto quartile = [&](std::size_t quarters) {
-      const auto place = values.begin() + static_cast<std::ptrdiff_t>(quarters * values.size() / 4);
-      std::nth_element(values.begin(), place, values.end());
-      return *place;
+      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(quarters * values.size() / 4);
+      std::nth_element(values.begin(), middle, values.end());
+      return *middle;
     };
     const double low = quartile(1), high = quartile(3);
     usual = quartile(2);
@@ -78,15 +78,15 @@ namespace splinertia::allan {
 /// alone. Throws std::invalid_argument for a length below 20.
 template <Signal S>
 [[nodiscard]] Stillness measure_stillness(const S& signal, std::int64_t length) {
-  require(length >= 20, "measure_stillness", "length", length, "at least 20 samples");
+  splinertia::detail::require(length >= 20, "measure_stillness", "length", length, "at least 20 samples");
   const std::int64_t half = length / 2;
   std::vector<double> spreads, peaks;
-  detail::HalfBlock last;
+  splinertia::detail::HalfBlock last;
   double resolution = std::numeric_limits<double>::infinity();
   auto value = std::begin(signal), previous = value;
   const std::int64_t halves = std::distance(value, std::end(signal)) / half;
   for (std::int64_t i = 0; i < halves; ++i) {
-    detail::HalfBlock next;
+    splinertia::detail::HalfBlock next;
     for (std::int64_t k = 0; k < half; ++k, previous = value++) {
       next.add(static_cast<double>(*value), k == 0);
       const double change = std::abs(static_cast<double>(*value) - static_cast<double>(*previous));
@@ -105,8 +105,8 @@ template <Signal S>
   }
   Stillness result{static_cast<std::int64_t>(spreads.size()), 0, 0, 1};
   if (spreads.empty()) return result;
-  const detail::BlockLimit of_spreads(spreads, std::exp(7 / std::sqrt(4 * static_cast<double>(half))));
-  detail::BlockLimit of_peaks(peaks, 2.5);
+  const splinertia::detail::BlockLimit of_spreads(spreads, std::exp(7 / std::sqrt(4 * static_cast<double>(half))));
+  splinertia::detail::BlockLimit of_peaks(peaks, 2.5);
   if (of_spreads.usual == 0) return result;
   of_peaks.limit = (std::max)(of_peaks.limit, of_peaks.usual + 2.5 * resolution);
   double worst = 0;

@@ -14,8 +14,8 @@ enum class AccelerometerMean {
   gravity,             ///< in m/s², within 5 %
   gravity_in_g,        ///< within 5 % of 1
   gravity_in_milli_g,  ///< or in cm/s², which differs by 2 %, no more than a bias
-  no_gravity,  ///< below 5 % of g: gravity was removed (not the reading of a sensor), or free fall
-  unclear      ///< moving, not calibrated, or in counts
+  no_gravity,          ///< below 5 % of g: gravity was removed (not the reading of a sensor), or free fall
+  unclear              ///< moving, not calibrated, or in counts
 };
 
 /// Judges the mean of all three axes. Its norm is g, 9.78 to 9.83 m/s² on Earth, plus a bias, for which the limits
@@ -46,7 +46,7 @@ enum class WhiteNoiseCheck {
 /// log in °/s has 57 times as much, which is found for a noisy sensor but not for a quiet one. Throws
 /// std::invalid_argument unless N is finite and >= 0.
 [[nodiscard]] inline WhiteNoiseCheck check_gyroscope_white_noise(double N) {
-  require_non_negative("check_gyroscope_white_noise", "N", N);
+  splinertia::detail::require_non_negative("check_gyroscope_white_noise", "N", N);
   if (N < 5e-8) return WhiteNoiseCheck::too_small;
   return N > 3e-2 ? WhiteNoiseCheck::too_large : WhiteNoiseCheck::plausible;
 }
@@ -55,7 +55,7 @@ enum class WhiteNoiseCheck {
 /// seismometers below and shock sensors above. The mean shows a unit of g or mg, see recognize_accelerometer_mean().
 /// Throws std::invalid_argument unless N is finite and >= 0.
 [[nodiscard]] inline WhiteNoiseCheck check_accelerometer_white_noise(double N) {
-  require_non_negative("check_accelerometer_white_noise", "N", N);
+  splinertia::detail::require_non_negative("check_accelerometer_white_noise", "N", N);
   if (N < 1e-7) return WhiteNoiseCheck::too_small;
   return N > 0.2 ? WhiteNoiseCheck::too_large : WhiteNoiseCheck::plausible;
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <ranges>
 #include <splinertia/calibration/imu_calibration.hpp>
+#include <splinertia/calibration/inertial_options.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
@@ -20,28 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace splinertia {
-
-/// What is known about an IMU, and which parts of its calibration are estimated.
-template <typename Scalar>
-struct InertialOptions {
-  /// Standard deviation of a sample about the curve, rad/s and m/s²; N √rate for white noise of density N. Include what
-  /// the curve cannot follow (vibration between its knots).
-  Scalar gyro_standard_deviation = Scalar(0);   ///< has to be given
-  Scalar accel_standard_deviation = Scalar(0);  ///< has to be given
-  /// The initial values; what is not estimated keeps them.
-  ImuCalibration<Scalar> calibration{};
-  bool estimate_gyro_bias = true;
-  bool estimate_accel_bias = true;
-  bool estimate_gravity_direction = true;  ///< its magnitude is kept
-  /// p_BI; R_BI is kept. Lever arm and time offset are observable only if the body moves. At rest, they are fitted to
-  /// the noise that the curve follows.
-  bool estimate_lever_arm = false;
-  bool estimate_time_offset = false;
-  /// s: bound on the magnitude of an estimated time offset. While it is estimated, samples this close to the ends of
-  /// the curve or to its gaps are left out.
-  double largest_time_offset = 0.1;
-};
+namespace splinertia::detail {
 
 /// The first row of each part in the vector of the unknowns of a calibration.
 struct CalibrationRows {
@@ -102,8 +82,9 @@ class InertialTerm {
         refuse<std::invalid_argument>("IMU sample ", i, " is not finite");
       }
       if (i > 0 && !(time > before)) {
-        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", printable(time), ", expected a time after ",
-                                      printable(before), ", that of the sample before it");
+        refuse<std::invalid_argument>("IMU sample ", i, " is at time ", seconds_or_ticks(time),
+                                      ", expected a time after ", seconds_or_ticks(before),
+                                      ", that of the sample before it");
       }
       before = time;
       ++i;
@@ -116,7 +97,7 @@ class InertialTerm {
     }
     if (samples_.empty()) {
       refuse<std::invalid_argument>("IMU: none of ", i, " samples is within the curve, which reaches from ",
-                                    printable(curve.start()), " to ", printable(curve.end()),
+                                    seconds_or_ticks(curve.start()), " to ", seconds_or_ticks(curve.end()),
                                     gaps.empty() ? "" : ", and outside its gaps");
     }
   }
@@ -187,8 +168,8 @@ class InertialTerm {
   }
 
   /// calibration ⊞ step. The time offset is clamped to ±largest_time_offset.
-  [[nodiscard]] ImuCalibration<Scalar> moved(ImuCalibration<Scalar> calibration,
-                                             const Eigen::Matrix<Scalar, Rows::count, 1>& step) const {
+  [[nodiscard]] ImuCalibration<Scalar> retracted(ImuCalibration<Scalar> calibration,
+                                                 const Eigen::Matrix<Scalar, Rows::count, 1>& step) const {
     calibration.gyro_bias += step.template segment<3>(Rows::gyro_bias);
     calibration.accel_bias += step.template segment<3>(Rows::accel_bias);
     if (options_.estimate_gravity_direction) {
@@ -235,4 +216,4 @@ class InertialTerm {
   std::vector<ImuSample<Scalar, Time>> samples_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

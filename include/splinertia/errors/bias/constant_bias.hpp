@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <string_view>
@@ -18,11 +19,11 @@ struct ConstantBias {
 
   /// Throws std::invalid_argument unless the bias is finite.
   constexpr ConstantBias(const PerAxis<Scalar, N>& bias_) : bias(bias_) {
-    require_finite("ConstantBias", "bias", bias);
+    detail::require_finite("ConstantBias", "bias", bias);
   }
 
   template <int Axes>
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, Axes>& sample, State&) const {
     sample.value += bias.template vector<Axes>();
     sample.bias += bias.template vector<Axes>();
   }
@@ -31,6 +32,6 @@ struct ConstantBias {
 };
 
 template <typename P>
-ConstantBias(const P&) -> ConstantBias<ScalarOfParameter<P>, values_in_parameters<P>>;
+ConstantBias(const P&) -> ConstantBias<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -17,7 +17,9 @@ struct RateRamp {
   PerAxis<Scalar, N> slope;
 
   /// Throws std::invalid_argument unless the slope is finite.
-  constexpr RateRamp(const PerAxis<Scalar, N>& slope_) : slope(slope_) { require_finite("RateRamp", "slope", slope); }
+  constexpr RateRamp(const PerAxis<Scalar, N>& slope_) : slope(slope_) {
+    detail::require_finite("RateRamp", "slope", slope);
+  }
 
   template <int Axes>
   void apply(SensorSample<Scalar, Axes>& sample, State&) const {
@@ -30,6 +32,6 @@ struct RateRamp {
 };
 
 template <typename P>
-RateRamp(const P&) -> RateRamp<ScalarOfParameter<P>, values_in_parameters<P>>;
+RateRamp(const P&) -> RateRamp<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

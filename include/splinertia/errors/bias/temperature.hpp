@@ -23,13 +23,13 @@ struct WarmUp {
   /// finite and > 0.
   constexpr WarmUp(const Scalar& initial_, const Scalar& final_, const Scalar& time_constant_)
       : initial(initial_), final(final_), time_constant(time_constant_) {
-    require_factor("WarmUp", "initial temperature", initial);
-    require_factor("WarmUp", "final temperature", final);
-    require_positive("WarmUp", "time constant", time_constant);
+    detail::require_factor("WarmUp", "initial temperature", initial);
+    detail::require_factor("WarmUp", "final temperature", final);
+    detail::require_positive("WarmUp", "time constant", time_constant);
   }
 
   [[nodiscard]] Scalar operator()(const Scalar& elapsed) const {
-    return initial + (final - initial) * exponential_rise<Scalar>(elapsed / time_constant);
+    return initial + (final - initial) * detail::one_minus_exp_minus<Scalar>(elapsed / time_constant);
   }
 
   void describe(auto&& parameter) const {
@@ -40,14 +40,18 @@ struct WarmUp {
 };
 
 template <typename P>
-WarmUp(const P&, const P&, const P&) -> WarmUp<ScalarOfParameter<P>>;
+WarmUp(const P&, const P&, const P&) -> WarmUp<detail::ScalarOfParameter<P>>;
 template <typename P, typename Q, typename R>
-WarmUp(const P&, const Q&, const R&) -> WarmUp<ScalarOfParameter<P>>;
+WarmUp(const P&, const Q&, const R&) -> WarmUp<detail::ScalarOfParameter<P>>;
+
+namespace detail {
 
 /// Calls describe() of a temperature profile, if it has one.
 template <typename Profile>
 void describe_profile(const Profile& profile, auto&& parameter) {
   if constexpr (requires { profile.describe(parameter); }) profile.describe(parameter);
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -23,8 +23,8 @@ struct TemperatureBias {
   constexpr TemperatureBias(const PerAxis<Scalar, N>& coefficient_, const Profile& temperature_,
                             const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
-    require_factor("TemperatureBias", "coefficient", coefficient);
-    require_factor("TemperatureBias", "reference temperature", reference);
+    detail::require_factor("TemperatureBias", "coefficient", coefficient);
+    detail::require_factor("TemperatureBias", "reference temperature", reference);
   }
 
   template <int Axes>
@@ -37,13 +37,13 @@ struct TemperatureBias {
 
   void describe(auto&& parameter) const {
     parameter("coefficient", coefficient, SensorUnit{.per_kelvin = true});
-    describe_profile(temperature, parameter);
+    detail::describe_profile(temperature, parameter);
     parameter("reference temperature", reference, "degC");
   }
 };
 
 template <typename P, typename Profile, typename... More>
-TemperatureBias(const P&, const Profile&,
-                const More&...) -> TemperatureBias<ScalarOfParameter<P>, Profile, values_in_parameter<P>>;
+TemperatureBias(const P&, const Profile&, const More&...)
+    -> TemperatureBias<detail::ScalarOfParameter<P>, Profile, detail::values_in_parameter<P>>;
 
 }  // namespace splinertia

@@ -22,7 +22,7 @@ struct TurnOnBias {
 
   /// Throws std::invalid_argument unless the deviation is finite and >= 0.
   constexpr TurnOnBias(const PerAxis<Scalar, N>& standard_deviation_) : standard_deviation(standard_deviation_) {
-    require_non_negative("TurnOnBias", "standard deviation", standard_deviation);
+    detail::require_non_negative("TurnOnBias", "standard deviation", standard_deviation);
   }
 
   template <int Axes>
@@ -36,6 +36,6 @@ struct TurnOnBias {
 };
 
 template <typename P>
-TurnOnBias(const P&) -> TurnOnBias<ScalarOfParameter<P>, values_in_parameters<P>>;
+TurnOnBias(const P&) -> TurnOnBias<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

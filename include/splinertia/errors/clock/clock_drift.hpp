@@ -19,7 +19,7 @@ struct ClockDrift {
   /// Throws std::invalid_argument unless the rate is finite and > −1. At −1 the clock would stand still; below −1, run
   /// backwards.
   constexpr ClockDrift(const Scalar& rate_) : rate(rate_) {
-    require(is_finite(rate) && rate > Scalar(-1), "ClockDrift", "rate", rate, "a finite number > -1");
+    detail::require(detail::is_finite(rate) && rate > Scalar(-1), "ClockDrift", "rate", rate, "a finite number > -1");
   }
 
   void apply(Stamp<Scalar>& stamp, State&) const { stamp.offset += rate * stamp.elapsed; }
@@ -28,6 +28,6 @@ struct ClockDrift {
 };
 
 template <typename P>
-ClockDrift(const P&) -> ClockDrift<ScalarOfParameter<P>>;
+ClockDrift(const P&) -> ClockDrift<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

@@ -17,7 +17,9 @@ struct ClockOffset {
   Scalar offset;
 
   /// Throws std::invalid_argument unless the offset is finite.
-  constexpr ClockOffset(const Scalar& offset_) : offset(offset_) { require_finite("ClockOffset", "offset", offset); }
+  constexpr ClockOffset(const Scalar& offset_) : offset(offset_) {
+    detail::require_finite("ClockOffset", "offset", offset);
+  }
 
   void apply(Stamp<Scalar>& stamp, State&) const { stamp.offset += offset; }
 
@@ -25,6 +27,6 @@ struct ClockOffset {
 };
 
 template <typename P>
-ClockOffset(const P&) -> ClockOffset<ScalarOfParameter<P>>;
+ClockOffset(const P&) -> ClockOffset<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

@@ -20,8 +20,8 @@ struct DroppedSamples {
 
   /// Throws std::invalid_argument unless 0 <= probability < 1.
   constexpr DroppedSamples(const Scalar& probability_) : probability(probability_) {
-    require(probability >= Scalar(0) && probability < Scalar(1), "DroppedSamples", "probability", probability,
-            "a number >= 0 and < 1");
+    detail::require(probability >= Scalar(0) && probability < Scalar(1), "DroppedSamples", "probability", probability,
+                    "a number >= 0 and < 1");
   }
 
   void apply(Stamp<Scalar>& stamp, auto& random) const {
@@ -32,6 +32,6 @@ struct DroppedSamples {
 };
 
 template <typename P>
-DroppedSamples(const P&) -> DroppedSamples<ScalarOfParameter<P>>;
+DroppedSamples(const P&) -> DroppedSamples<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

@@ -21,6 +21,8 @@ struct Stamp {
   Scalar elapsed;   ///< true time since the first sample, s
 };
 
+namespace detail {
+
 /// The earliest stamp that a clock gives after `stamp`: one tick later. For a floating-point Time it is a nanosecond
 /// later, the unit of the field's file formats, or as little as a number of that size resolves. Rounded to nanoseconds,
 /// the two still differ.
@@ -33,5 +35,7 @@ template <TimePoint Time>
     return next_time(stamp);
   }
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -28,21 +28,21 @@ struct StampJitter {
 
   /// offset ← offset − forget·offset + deviation·n, n standard normal, unless it moves by more than `most`.
   struct Step {
-    Scalar forget, deviation, most;
+    Scalar gain, deviation, most;
   };
   template <typename Normals>
   struct State {
     explicit State(StreamKey term) : normals(term) {}
     Normals normals;
     Scalar offset = Scalar(0);
-    ForInterval<Scalar, Step> step{};
+    detail::ForInterval<Scalar, Step> step{};
   };
 
   Scalar standard_deviation;
 
   /// Throws std::invalid_argument unless the deviation is finite and >= 0.
   constexpr StampJitter(const Scalar& standard_deviation_) : standard_deviation(standard_deviation_) {
-    require_non_negative("StampJitter", "standard deviation", standard_deviation);
+    detail::require_non_negative("StampJitter", "standard deviation", standard_deviation);
   }
 
   void apply(Stamp<Scalar>& stamp, auto& state) const {
@@ -51,7 +51,7 @@ struct StampJitter {
       state.offset = standard_deviation * n;
     } else {
       const Step& step = state.step(stamp.interval, [&] { return make_step(stamp.interval); });
-      const Scalar proposal = state.offset - step.forget * state.offset + step.deviation * n;
+      const Scalar proposal = state.offset - step.gain * state.offset + step.deviation * n;
       const Scalar change = proposal - state.offset;
       if (-step.most <= change && change <= step.most) state.offset = proposal;
     }
@@ -66,13 +66,13 @@ struct StampJitter {
     const Scalar most = interval * Scalar(99) / Scalar(100);
     const Scalar independent = interval / Scalar(4);  // the largest deviation of independent offsets
     if (standard_deviation <= independent) return {Scalar(1), standard_deviation, most};
-    const Scalar ratio = independent / standard_deviation, forget = ratio * ratio;
+    const Scalar ratio = independent / standard_deviation, gain = ratio * ratio;
     // σ√(1 − ρ²) with ρ = 1 − forget
-    return {forget, independent * sqrt(Scalar(2) - forget), most};
+    return {gain, independent * sqrt(Scalar(2) - gain), most};
   }
 };
 
 template <typename P>
-StampJitter(const P&) -> StampJitter<ScalarOfParameter<P>>;
+StampJitter(const P&) -> StampJitter<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

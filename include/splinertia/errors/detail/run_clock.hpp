@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/errors/clock/stamp.hpp>
 #include <splinertia/errors/error_model.hpp>
@@ -27,9 +28,9 @@ class RunClock {
     Scalar elapsed;
   };
 
-  [[gnu::always_inline]] explicit RunClock(State stamps) : stamps_(std::move(stamps)) {}
+  SPLINERTIA_ALWAYS_INLINE explicit RunClock(State stamps) : stamps_(std::move(stamps)) {}
 
-  [[nodiscard, gnu::always_inline]] Instant sample_at(Time time, const Scalar& interval) {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Instant sample_at(Time time, const Scalar& interval) {
     const bool first = first_;
     if (first) start_ = time;
     first_ = false;
@@ -41,14 +42,14 @@ class RunClock {
   /// the last one becomes next_stamp(). Throws std::invalid_argument, in the name of `whose`, for a stamp that is not
   /// finite.
   template <typename Reading>
-  [[gnu::always_inline]] bool stamp(const Stamps& errors, const Instant& now, const char* whose, Reading& reading) {
+  SPLINERTIA_ALWAYS_INLINE bool stamp(const Stamps& errors, const Instant& now, const char* whose, Reading& reading) {
     if constexpr (has_stamps) {
       Stamp<Scalar> stamp{Scalar(0), false, now.interval, now.first, now.elapsed};
       errors.apply(stamp, stamps_);
       if (stamp.dropped) return false;
       Time stamped = after(now.time, static_cast<double>(stamp.offset));
       if (last_stamp_) stamped = (std::max)(stamped, next_stamp(*last_stamp_));
-      require_finite(whose, "stamp", printable(stamped));
+      require_finite(whose, "stamp", seconds_or_ticks(stamped));
       last_stamp_ = stamped;
       reading.true_time = now.time;
       reading.time = stamped;

@@ -6,7 +6,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/random/detail/reproducible_math.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The free motion (x = 0) of the damped oscillator y″ + 2ζω y′ + ω² y = ω² x over a time h: the matrix that maps
 /// (y, y′/ω) at the beginning to (y, y′/ω) at the end. It depends on a = ωh >= 0 and the damping ratio ζ > 0 alone:
@@ -25,16 +25,16 @@ template <typename Scalar>
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));
     const Oscillation<Scalar> oscillation(b / (Scalar(2) * pi_of<Scalar>()));
-    const Scalar left = exponential_decay<Scalar>(damping_ratio * a);
+    const Scalar left = exp_minus<Scalar>(damping_ratio * a);
     C = left * oscillation.cosine;
     S = b > Scalar(0) ? Scalar(left * oscillation.sine / b) : left;
   } else {
     const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
     const Scalar b = a * root;
-    const Scalar slow = exponential_decay<Scalar>(a / (damping_ratio + root));  // e^{−ζa + b}
-    const Scalar fast = exponential_decay<Scalar>(a * (damping_ratio + root));  // e^{−ζa − b}
+    const Scalar slow = exp_minus<Scalar>(a / (damping_ratio + root));  // e^{−ζa + b}
+    const Scalar fast = exp_minus<Scalar>(a * (damping_ratio + root));  // e^{−ζa − b}
     C = (slow + fast) / Scalar(2);
-    S = b > Scalar(0) ? Scalar(slow * exponential_rise<Scalar>(Scalar(2) * b) / (Scalar(2) * b)) : slow;
+    S = b > Scalar(0) ? Scalar(slow * one_minus_exp_minus<Scalar>(Scalar(2) * b) / (Scalar(2) * b)) : slow;
   }
   Eigen::Matrix<Scalar, 2, 2> transition;
   transition(0, 0) = C + damping_ratio * a * S;
@@ -53,19 +53,20 @@ template <typename Scalar>
     // Two first-order lags in series, with these time constants (times ω).
     const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
     const Scalar slow = damping_ratio + root, fast = Scalar(1) / slow;
-    return (slow * exponential_rise<Scalar>(a / slow) - fast * exponential_rise<Scalar>(a * slow)) / (Scalar(2) * root);
+    return (slow * one_minus_exp_minus<Scalar>(a / slow) - fast * one_minus_exp_minus<Scalar>(a * slow)) /
+           (Scalar(2) * root);
   }
   const Scalar left = -damping_ratio * oscillator_transition(a, damping_ratio)(0, 1);  // −ζaS
   if (damping_ratio < Scalar(1)) {
     const Scalar b = a * sqrt((Scalar(1) - damping_ratio) * (Scalar(1) + damping_ratio));
     const Scalar half = Oscillation<Scalar>(b / (Scalar(4) * pi_of<Scalar>())).sine;  // 1 − cos b = 2 sin² b/2
-    return left + exponential_rise<Scalar>(damping_ratio * a) +
-           Scalar(2) * exponential_decay<Scalar>(damping_ratio * a) * half * half;
+    return left + one_minus_exp_minus<Scalar>(damping_ratio * a) +
+           Scalar(2) * exp_minus<Scalar>(damping_ratio * a) * half * half;
   }
   const Scalar root = sqrt((damping_ratio - Scalar(1)) * (damping_ratio + Scalar(1)));
-  return left +
-         (exponential_rise<Scalar>(a / (damping_ratio + root)) + exponential_rise<Scalar>(a * (damping_ratio + root))) /
-             Scalar(2);
+  return left + (one_minus_exp_minus<Scalar>(a / (damping_ratio + root)) +
+                 one_minus_exp_minus<Scalar>(a * (damping_ratio + root))) /
+                    Scalar(2);
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

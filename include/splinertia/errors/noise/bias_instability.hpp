@@ -21,7 +21,7 @@ struct FlickerBand {
 };
 
 template <typename P, typename Q>
-FlickerBand(P, Q) -> FlickerBand<ScalarOfParameter<P>>;
+FlickerBand(P, Q) -> FlickerBand<detail::ScalarOfParameter<P>>;
 
 /// Flicker noise (bias instability) of coefficient B, in the sensor's unit: power spectral density B²/(2πf), Allan
 /// deviation B·√(2 ln 2/π) = 0.664 B at all averaging times. IEEE Std 952-1997, C.1.2.
@@ -48,7 +48,7 @@ struct BiasInstability {
   struct Stage {
     Scalar correlation_time;  ///< s
     Scalar deviation;         ///< stationary standard deviation over B
-    GaussMarkovStep<Scalar> step;
+    detail::GaussMarkovStep<Scalar> step;
   };
   template <typename Normals>
   struct State {
@@ -60,7 +60,7 @@ struct BiasInstability {
     }
     std::array<Normals, Stages> normals;
     std::array<AxisVector<Scalar, Normals::axes>, Stages> values;  // over B
-    ForInterval<Scalar, std::array<Stage, Stages>> stages{};
+    detail::ForInterval<Scalar, std::array<Stage, Stages>> stages{};
   };
 
   PerAxis<Scalar, N> coefficient;
@@ -69,28 +69,30 @@ struct BiasInstability {
   /// Throws std::invalid_argument unless B is finite and >= 0 and 0 < shortest < longest < ∞ with a finite ratio.
   constexpr BiasInstability(const PerAxis<Scalar, N>& coefficient_, const FlickerBand<Scalar>& band_ = {})
       : coefficient(coefficient_), band(band_) {
-    require_non_negative("BiasInstability", "coefficient B", coefficient);
-    require_positive("BiasInstability", "shortest averaging time", band.shortest);
-    require(is_finite(band.longest) && band.longest > band.shortest, "BiasInstability", "longest averaging time",
-            band.longest, "a finite number above the shortest");
+    detail::require_non_negative("BiasInstability", "coefficient B", coefficient);
+    detail::require_positive("BiasInstability", "shortest averaging time", band.shortest);
+    detail::require(detail::is_finite(band.longest) && band.longest > band.shortest, "BiasInstability",
+                    "longest averaging time", band.longest, "a finite number above the shortest");
     // The longest correlation time, and its ratio to the shortest.
-    require(is_finite(Scalar(2) * band.longest) && is_finite(Scalar(10) * band.longest / band.shortest),
-            "BiasInstability", "longest averaging time", band.longest, "one whose ratio to the shortest is finite");
+    detail::require(
+        detail::is_finite(Scalar(2) * band.longest) && detail::is_finite(Scalar(10) * band.longest / band.shortest),
+        "BiasInstability", "longest averaging time", band.longest, "one whose ratio to the shortest is finite");
   }
 
   /// The processes of the sum, the slowest first, with their steps for one sampling interval.
   [[nodiscard]] std::array<Stage, Stages> stages(const Scalar& interval) const {
     using std::sqrt;
     const Scalar log_ratio =
-        logarithm<Scalar>(Scalar(10) * band.longest / band.shortest) / Scalar(static_cast<int>(Stages - 1));
+        detail::logarithm<Scalar>(Scalar(10) * band.longest / band.shortest) / Scalar(static_cast<int>(Stages - 1));
     std::array<Stage, Stages> result;
     Scalar correlation_time = Scalar(2) * band.longest;
     for (std::size_t i = 0; i < Stages; ++i) {
       // 1/(1 − 1/r) = r/(r − 1)
-      const Scalar more = i == 0 || i == Stages - 1 ? Scalar(1) / exponential_rise<Scalar>(log_ratio) : Scalar(1);
-      result[i] = {correlation_time, sqrt(log_ratio / pi_of<Scalar>() * more),
-                   GaussMarkovStep<Scalar>(interval / correlation_time)};
-      correlation_time *= exponential_decay<Scalar>(log_ratio);
+      const Scalar more =
+          i == 0 || i == Stages - 1 ? Scalar(1) / detail::one_minus_exp_minus<Scalar>(log_ratio) : Scalar(1);
+      result[i] = {correlation_time, sqrt(log_ratio / detail::pi_of<Scalar>() * more),
+                   detail::GaussMarkovStep<Scalar>(interval / correlation_time)};
+      correlation_time *= detail::exp_minus<Scalar>(log_ratio);
     }
     return result;
   }
@@ -105,7 +107,7 @@ struct BiasInstability {
       if (sample.first) {
         state.values[i] = fresh;
       } else {
-        state.values[i] += step.deviation * fresh - step.forget * state.values[i];
+        state.values[i] += step.deviation * fresh - step.gain * state.values[i];
       }
       sum += state.values[i];
     }
@@ -123,6 +125,7 @@ struct BiasInstability {
 };
 
 template <typename P, typename... More>
-BiasInstability(const P&, const More&...) -> BiasInstability<ScalarOfParameter<P>, 7, values_in_parameter<P>>;
+BiasInstability(const P&,
+                const More&...) -> BiasInstability<detail::ScalarOfParameter<P>, 7, detail::values_in_parameter<P>>;
 
 }  // namespace splinertia

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/detail/correlation_factor.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -25,14 +26,14 @@ struct CorrelatedNoise {
   /// symmetric and has no negative eigenvalue.
   CorrelatedNoise(const PerAxis<Scalar, N>& density_, const Matrix& correlation_)
       : density(density_), correlation(correlation_) {
-    require_non_negative("CorrelatedNoise", "density", density);
-    require_finite("CorrelatedNoise", "correlation", correlation);
+    detail::require_non_negative("CorrelatedNoise", "density", density);
+    detail::require_finite("CorrelatedNoise", "correlation", correlation);
     factor_ = detail::correlation_factor("CorrelatedNoise", correlation);
   }
 
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, N>& sample, auto& normals) const {
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, N>& sample, auto& normals) const {
     const AxisVector<Scalar, N> n = normals.template draw<Scalar>();
-    const Scalar per_root_second = Scalar(1) / square_root(sample.interval);
+    const Scalar per_root_second = Scalar(1) / detail::square_root(sample.interval);
     sample.value += (density.vector() * per_root_second).cwiseProduct(factor_.lazyProduct(n));
   }
 
@@ -47,6 +48,6 @@ struct CorrelatedNoise {
 
 template <typename P, typename Matrix>
 CorrelatedNoise(const P&, const Matrix&)
-    -> CorrelatedNoise<ScalarOfParameter<Matrix>, static_cast<int>(Matrix::RowsAtCompileTime)>;
+    -> CorrelatedNoise<detail::ScalarOfParameter<Matrix>, static_cast<int>(Matrix::RowsAtCompileTime)>;
 
 }  // namespace splinertia

@@ -27,7 +27,7 @@ struct QuantizationNoise {
 
   /// Throws std::invalid_argument unless Q is finite and >= 0.
   constexpr QuantizationNoise(const PerAxis<Scalar, N>& coefficient_) : coefficient(coefficient_) {
-    require_non_negative("QuantizationNoise", "coefficient Q", coefficient);
+    detail::require_non_negative("QuantizationNoise", "coefficient Q", coefficient);
   }
 
   template <int Axes>
@@ -41,6 +41,6 @@ struct QuantizationNoise {
 };
 
 template <typename P>
-QuantizationNoise(const P&) -> QuantizationNoise<ScalarOfParameter<P>, values_in_parameters<P>>;
+QuantizationNoise(const P&) -> QuantizationNoise<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -37,7 +37,7 @@ struct RandomVibration {
     Normals for_value, for_rate;
     AxisVector<Wide, Normals::axes> value = AxisVector<Wide, Normals::axes>::Zero();
     AxisVector<Wide, Normals::axes> rate = AxisVector<Wide, Normals::axes>::Zero();
-    ForInterval<Scalar, FixedArray<Step, Normals::axes>> steps{};
+    detail::ForInterval<Scalar, detail::FixedArray<Step, Normals::axes>> steps{};
   };
 
   PerAxis<Scalar, N> standard_deviation;
@@ -49,10 +49,10 @@ struct RandomVibration {
   constexpr RandomVibration(const PerAxis<Scalar, N>& standard_deviation_, const PerAxis<Scalar, N>& natural_frequency_,
                             const PerAxis<Scalar, N>& damping_ratio_)
       : standard_deviation(standard_deviation_), natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
-    require_non_negative("RandomVibration", "standard deviation", standard_deviation);
-    require_positive("RandomVibration", "natural frequency", natural_frequency);
-    require_positive("RandomVibration", "damping ratio", damping_ratio);
-    require_factor("RandomVibration", "damping ratio", damping_ratio);
+    detail::require_non_negative("RandomVibration", "standard deviation", standard_deviation);
+    detail::require_positive("RandomVibration", "natural frequency", natural_frequency);
+    detail::require_positive("RandomVibration", "damping ratio", damping_ratio);
+    detail::require_factor("RandomVibration", "damping ratio", damping_ratio);
   }
 
   template <int Axes>
@@ -84,13 +84,13 @@ struct RandomVibration {
   // a = ωh the first diagonal element is O(a³); below a = 1e-5 it is lost in rounding. It is limited to >= 0; the error
   // is an additional noise of at most √eps of the standard deviation per step.
   template <int Axes>
-  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
+  [[nodiscard]] detail::FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
     using std::sqrt;
-    FixedArray<Step, Axes> steps;
+    detail::FixedArray<Step, Axes> steps;
     for (std::size_t axis = 0; axis < steps.size(); ++axis) {
-      const Wide a = Wide(2) * pi_of<Wide>() * Wide(natural_frequency[axis]) * Wide(interval);
+      const Wide a = Wide(2) * detail::pi_of<Wide>() * Wide(natural_frequency[axis]) * Wide(interval);
       auto& [transition, noise] = steps[axis];
-      transition = oscillator_transition<Wide>(a, Wide(damping_ratio[axis]));
+      transition = detail::oscillator_transition<Wide>(a, Wide(damping_ratio[axis]));
       // Element by element: Eigen's product rounds differently where vector instructions fuse multiply and add.
       const auto covariance = [&t = transition](int i, int j) {
         return Wide(i == j ? 1 : 0) - (t(i, 0) * t(j, 0) + t(i, 1) * t(j, 1));
@@ -105,6 +105,7 @@ struct RandomVibration {
 };
 
 template <typename P, typename... More>
-RandomVibration(const P&, const More&...) -> RandomVibration<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
+RandomVibration(const P&, const More&...)
+    -> RandomVibration<detail::ScalarOfParameter<P>, detail::values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <string_view>
@@ -25,13 +26,13 @@ struct RandomWalk {
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
   constexpr RandomWalk(const PerAxis<Scalar, N>& density_) : density(density_) {
-    require_non_negative("RandomWalk", "density", density);
+    detail::require_non_negative("RandomWalk", "density", density);
   }
 
   template <int Axes>
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, Axes>& sample, auto& state) const {
     if (!sample.first) {
-      state.bias += (density.template vector<Axes>() * square_root(sample.interval))
+      state.bias += (density.template vector<Axes>() * detail::square_root(sample.interval))
                         .cwiseProduct(state.normals.template draw<Scalar>());
     }
     sample.value += state.bias;
@@ -42,6 +43,6 @@ struct RandomWalk {
 };
 
 template <typename P>
-RandomWalk(const P&) -> RandomWalk<ScalarOfParameter<P>, values_in_parameters<P>>;
+RandomWalk(const P&) -> RandomWalk<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

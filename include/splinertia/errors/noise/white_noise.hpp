@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <string_view>
@@ -20,12 +21,12 @@ struct WhiteNoise {
 
   /// Throws std::invalid_argument unless the density is finite and >= 0.
   constexpr WhiteNoise(const PerAxis<Scalar, N>& density_) : density(density_) {
-    require_non_negative("WhiteNoise", "density", density);
+    detail::require_non_negative("WhiteNoise", "density", density);
   }
 
   template <int Axes>
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, auto& normals) const {
-    const Scalar per_root_second = Scalar(1) / square_root(sample.interval);
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, Axes>& sample, auto& normals) const {
+    const Scalar per_root_second = Scalar(1) / detail::square_root(sample.interval);
     sample.value += (density.template vector<Axes>() * per_root_second).cwiseProduct(normals.template draw<Scalar>());
   }
 
@@ -33,6 +34,6 @@ struct WhiteNoise {
 };
 
 template <typename P>
-WhiteNoise(const P&) -> WhiteNoise<ScalarOfParameter<P>, values_in_parameters<P>>;
+WhiteNoise(const P&) -> WhiteNoise<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

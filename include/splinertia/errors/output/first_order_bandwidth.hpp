@@ -21,20 +21,20 @@ struct FirstOrderBandwidth {
 
   /// y ← y + forget·(x₀ − y) + ramp·(x₁ − x₀), from sample x₀ to sample x₁.
   struct Step {
-    Scalar forget = Scalar(1), ramp = Scalar(0);
+    Scalar gain = Scalar(1), ramp = Scalar(0);
   };
   template <int Axes>
   struct State {
     AxisVector<Scalar, Axes> input, input_bias;
     AxisVector<Scalar, Axes> value, bias;
-    ForInterval<Scalar, FixedArray<Step, Axes>> steps{};
+    detail::ForInterval<Scalar, detail::FixedArray<Step, Axes>> steps{};
   };
 
   PerAxis<Scalar, N> cutoff;
 
   /// Throws std::invalid_argument unless the cutoff is finite and > 0.
   constexpr FirstOrderBandwidth(const PerAxis<Scalar, N>& cutoff_) : cutoff(cutoff_) {
-    require_positive("FirstOrderBandwidth", "cutoff frequency", cutoff);
+    detail::require_positive("FirstOrderBandwidth", "cutoff frequency", cutoff);
   }
 
   template <int Axes>
@@ -45,9 +45,9 @@ struct FirstOrderBandwidth {
     } else {
       const auto& steps = state.steps(sample.interval, [&] { return make_steps<Axes>(sample.interval); });
       for (int i = 0; i < Axes; ++i) {
-        const auto& [forget, ramp] = steps[static_cast<std::size_t>(i)];
-        state.value[i] += forget * (state.input[i] - state.value[i]) + ramp * (sample.value[i] - state.input[i]);
-        state.bias[i] += forget * (state.input_bias[i] - state.bias[i]) + ramp * (sample.bias[i] - state.input_bias[i]);
+        const auto& [gain, ramp] = steps[static_cast<std::size_t>(i)];
+        state.value[i] += gain * (state.input[i] - state.value[i]) + ramp * (sample.value[i] - state.input[i]);
+        state.bias[i] += gain * (state.input_bias[i] - state.bias[i]) + ramp * (sample.bias[i] - state.input_bias[i]);
       }
     }
     state.input = sample.value;
@@ -60,20 +60,20 @@ struct FirstOrderBandwidth {
 
  private:
   template <int Axes>
-  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
+  [[nodiscard]] detail::FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
     const AxisVector<Scalar, Axes> cutoffs = cutoff.template vector<Axes>();
-    FixedArray<Step, Axes> steps;
+    detail::FixedArray<Step, Axes> steps;
     for (int i = 0; i < Axes; ++i) {
-      auto& [forget, ramp] = steps[static_cast<std::size_t>(i)];
-      const Scalar h = Scalar(2) * pi_of<Scalar>() * cutoffs[i] * interval;  // in units of τ
-      forget = exponential_rise<Scalar>(h);
-      ramp = h > Scalar(0) ? Scalar(Scalar(1) - forget / h) : Scalar(0);
+      auto& [gain, ramp] = steps[static_cast<std::size_t>(i)];
+      const Scalar h = Scalar(2) * detail::pi_of<Scalar>() * cutoffs[i] * interval;  // in units of τ
+      gain = detail::one_minus_exp_minus<Scalar>(h);
+      ramp = h > Scalar(0) ? Scalar(Scalar(1) - gain / h) : Scalar(0);
     }
     return steps;
   }
 };
 
 template <typename P>
-FirstOrderBandwidth(const P&) -> FirstOrderBandwidth<ScalarOfParameter<P>, values_in_parameters<P>>;
+FirstOrderBandwidth(const P&) -> FirstOrderBandwidth<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -20,7 +20,7 @@ struct Quantization {
   /// Throws std::invalid_argument unless the bit is finite and > 0.
   constexpr Quantization(const PerAxis<Scalar, N>& least_significant_bit_)
       : least_significant_bit(least_significant_bit_) {
-    require_positive("Quantization", "least significant bit", least_significant_bit);
+    detail::require_positive("Quantization", "least significant bit", least_significant_bit);
   }
 
   template <int Axes>
@@ -30,7 +30,7 @@ struct Quantization {
     for (int i = 0; i < Axes; ++i) {
       Scalar& value = sample.value[i];
       const Scalar counts = round(value / bit[i]);
-      if (is_finite(counts)) value = counts * bit[i];  // else the bit is smaller than the rounding of the value
+      if (detail::is_finite(counts)) value = counts * bit[i];  // else the bit is smaller than the rounding of the value
     }
   }
 
@@ -38,6 +38,6 @@ struct Quantization {
 };
 
 template <typename P>
-Quantization(const P&) -> Quantization<ScalarOfParameter<P>, values_in_parameters<P>>;
+Quantization(const P&) -> Quantization<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

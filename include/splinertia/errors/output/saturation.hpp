@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/output/quantization.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -20,11 +21,11 @@ struct Saturation {
 
   /// Throws std::invalid_argument unless the limit is finite and > 0.
   constexpr Saturation(const PerAxis<Scalar, N>& limit_) : limit(limit_) {
-    require_positive("Saturation", "limit", limit);
+    detail::require_positive("Saturation", "limit", limit);
   }
 
   template <int Axes>
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, Axes>& sample, State&) const {
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, Axes>& sample, State&) const {
     const auto clip = [](const Scalar& x, const Scalar& most) {
       const Scalar above = x < -most ? -most : x;
       return most < above ? most : above;
@@ -36,15 +37,15 @@ struct Saturation {
 };
 
 template <typename P>
-Saturation(const P&) -> Saturation<ScalarOfParameter<P>, values_in_parameters<P>>;
+Saturation(const P&) -> Saturation<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 /// Called by ErrorModel if both terms are in it: throws std::invalid_argument for a range of less than one bit, with
 /// which the sensor would read zero or nothing.
 template <typename Scalar, int N, int M>
 constexpr void check_together(const Saturation<Scalar, N>& saturation, const Quantization<Scalar, M>& quantization) {
   for (std::size_t axis = 0; axis < static_cast<std::size_t>((std::max)(N, M)); ++axis) {
-    require(saturation.limit[axis] >= quantization.least_significant_bit[axis], "Saturation", "limit",
-            saturation.limit[axis], "at least the least significant bit of the Quantization term");
+    detail::require(saturation.limit[axis] >= quantization.least_significant_bit[axis], "Saturation", "limit",
+                    saturation.limit[axis], "at least the least significant bit of the Quantization term");
   }
 }
 

@@ -32,7 +32,7 @@ struct SecondOrderBandwidth {
   template <int Axes>
   struct State {
     Signal<Axes> value, bias;
-    ForInterval<Scalar, FixedArray<Step, Axes>> steps{};
+    detail::ForInterval<Scalar, detail::FixedArray<Step, Axes>> steps{};
   };
 
   PerAxis<Scalar, N> natural_frequency;
@@ -41,9 +41,9 @@ struct SecondOrderBandwidth {
   /// Throws std::invalid_argument unless both are finite and > 0, and the third power of the damping ratio finite.
   constexpr SecondOrderBandwidth(const PerAxis<Scalar, N>& natural_frequency_, const PerAxis<Scalar, N>& damping_ratio_)
       : natural_frequency(natural_frequency_), damping_ratio(damping_ratio_) {
-    require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
-    require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
-    require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
+    detail::require_positive("SecondOrderBandwidth", "natural frequency", natural_frequency);
+    detail::require_positive("SecondOrderBandwidth", "damping ratio", damping_ratio);
+    detail::require_factor("SecondOrderBandwidth", "damping ratio", damping_ratio);
   }
 
   template <int Axes>
@@ -65,7 +65,8 @@ struct SecondOrderBandwidth {
 
  private:
   template <int Axes>
-  static void advance(Signal<Axes>& signal, AxisVector<Scalar, Axes>& value, const FixedArray<Step, Axes>& steps) {
+  static void advance(Signal<Axes>& signal, AxisVector<Scalar, Axes>& value,
+                      const detail::FixedArray<Step, Axes>& steps) {
     for (int i = 0; i < Axes; ++i) {
       const auto& [transition, ramp] = steps[static_cast<std::size_t>(i)];
       const Scalar before = signal.input[i], change = value[i] - before;
@@ -78,12 +79,13 @@ struct SecondOrderBandwidth {
   }
 
   template <int Axes>
-  [[nodiscard]] FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
+  [[nodiscard]] detail::FixedArray<Step, Axes> make_steps(const Scalar& interval) const {
     const AxisVector<Scalar, Axes> frequency = natural_frequency.template vector<Axes>(),
                                    damping = damping_ratio.template vector<Axes>();
-    FixedArray<Step, Axes> steps;
+    detail::FixedArray<Step, Axes> steps;
     for (int i = 0; i < Axes; ++i) {
-      steps[static_cast<std::size_t>(i)] = make_step(Scalar(2) * pi_of<Scalar>() * frequency[i] * interval, damping[i]);
+      steps[static_cast<std::size_t>(i)] =
+          make_step(Scalar(2) * detail::pi_of<Scalar>() * frequency[i] * interval, damping[i]);
     }
     return steps;
   }
@@ -92,17 +94,17 @@ struct SecondOrderBandwidth {
   [[nodiscard]] static Step make_step(const Scalar& a, const Scalar& damping) {
     using Matrix = Eigen::Matrix<Scalar, 2, 2>;
     using Vector = Eigen::Matrix<Scalar, 2, 1>;
-    if (!is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};                      // follows at once
+    if (!detail::is_finite(a)) return {Matrix::Zero(), Vector(Scalar(1), Scalar(0))};              // follows at once
     if (!(a > (std::numeric_limits<Scalar>::min)())) return {Matrix::Identity(), Vector::Zero()};  // never moves
-    const Scalar step_response = oscillator_step_response<Scalar>(a, damping);
-    const Matrix transition = oscillator_transition<Scalar>(a, damping);
+    const Scalar step_response = detail::oscillator_step_response<Scalar>(a, damping);
+    const Matrix transition = detail::oscillator_transition<Scalar>(a, damping);
     const Scalar ramp = Scalar(1) - (Scalar(2) * damping * step_response + transition(0, 1)) / a;
     return {transition, Vector(ramp, step_response / a)};
   }
 };
 
 template <typename P, typename... More>
-SecondOrderBandwidth(const P&,
-                     const More&...) -> SecondOrderBandwidth<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
+SecondOrderBandwidth(const P&, const More&...)
+    -> SecondOrderBandwidth<detail::ScalarOfParameter<P>, detail::values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

@@ -25,9 +25,9 @@ struct SinusoidalVibration {
   constexpr SinusoidalVibration(const PerAxis<Scalar, N>& amplitude_, const PerAxis<Scalar, N>& frequency_,
                                 const PerAxis<Scalar, N>& phase_ = Scalar(0))
       : amplitude(amplitude_), frequency(frequency_), phase(phase_) {
-    require_finite("SinusoidalVibration", "amplitude", amplitude);
-    require_non_negative("SinusoidalVibration", "frequency", frequency);
-    require_finite("SinusoidalVibration", "phase", phase);
+    detail::require_finite("SinusoidalVibration", "amplitude", amplitude);
+    detail::require_non_negative("SinusoidalVibration", "frequency", frequency);
+    detail::require_finite("SinusoidalVibration", "phase", phase);
   }
 
   template <int Axes>
@@ -35,7 +35,7 @@ struct SinusoidalVibration {
     const AxisVector<Scalar, Axes> size = amplitude.template vector<Axes>(), rate = frequency.template vector<Axes>(),
                                    start = phase.template vector<Axes>();
     for (int i = 0; i < Axes; ++i) {
-      const Oscillation<Scalar> oscillation(rate[i] * sample.elapsed + start[i]);
+      const detail::Oscillation<Scalar> oscillation(rate[i] * sample.elapsed + start[i]);
       sample.value[i] += size[i] * oscillation.sine;
     }
   }
@@ -48,7 +48,7 @@ struct SinusoidalVibration {
 };
 
 template <typename P, typename... More>
-SinusoidalVibration(const P&,
-                    const More&...) -> SinusoidalVibration<ScalarOfParameter<P>, values_in_parameters<P, More...>>;
+SinusoidalVibration(const P&, const More&...)
+    -> SinusoidalVibration<detail::ScalarOfParameter<P>, detail::values_in_parameters<P, More...>>;
 
 }  // namespace splinertia

@@ -27,8 +27,8 @@ struct Spikes {
   constexpr Spikes(const PerAxis<Scalar, N>& probability_, const PerAxis<Scalar, N>& standard_deviation_)
       : probability(probability_), standard_deviation(standard_deviation_) {
     for (const Scalar& p : probability)
-      require(p >= Scalar(0) && p <= Scalar(1), "Spikes", "probability", p, "a number >= 0 and <= 1");
-    require_non_negative("Spikes", "standard deviation", standard_deviation);
+      detail::require(p >= Scalar(0) && p <= Scalar(1), "Spikes", "probability", p, "a number >= 0 and <= 1");
+    detail::require_non_negative("Spikes", "standard deviation", standard_deviation);
   }
 
   template <int Axes>
@@ -48,6 +48,6 @@ struct Spikes {
 };
 
 template <typename P, typename Q>
-Spikes(const P&, const Q&) -> Spikes<ScalarOfParameter<P>, values_in_parameters<P, Q>>;
+Spikes(const P&, const Q&) -> Spikes<detail::ScalarOfParameter<P>, detail::values_in_parameters<P, Q>>;
 
 }  // namespace splinertia

@@ -29,10 +29,10 @@ struct StuckReadings {
   /// Throws std::invalid_argument unless 0 <= probability <= 1 and the mean length is finite and >= 1.
   constexpr StuckReadings(const Scalar& probability_, const Scalar& mean_length_ = Scalar(1))
       : probability(probability_), mean_length(mean_length_) {
-    require(probability >= Scalar(0) && probability <= Scalar(1), "StuckReadings", "probability", probability,
-            "a number >= 0 and <= 1");
-    require(is_finite(mean_length) && mean_length >= Scalar(1), "StuckReadings", "mean length", mean_length,
-            "a finite number >= 1");
+    detail::require(probability >= Scalar(0) && probability <= Scalar(1), "StuckReadings", "probability", probability,
+                    "a number >= 0 and <= 1");
+    detail::require(detail::is_finite(mean_length) && mean_length >= Scalar(1), "StuckReadings", "mean length",
+                    mean_length, "a finite number >= 1");
   }
 
   template <int Axes>
@@ -55,6 +55,6 @@ struct StuckReadings {
 };
 
 template <typename P, typename... More>
-StuckReadings(const P&, const More&...) -> StuckReadings<ScalarOfParameter<P>>;
+StuckReadings(const P&, const More&...) -> StuckReadings<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

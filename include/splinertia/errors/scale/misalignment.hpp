@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/errors/detail/determinant.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
@@ -24,7 +25,7 @@ struct Misalignment {
   /// Throws std::invalid_argument unless the matrix is finite and invertible: with its rows scaled to unit length, the
   /// magnitude of the determinant must exceed 8 eps, which is what rounding leaves of a singular matrix.
   Misalignment(const Matrix& matrix_) : matrix(matrix_) {
-    require_finite("Misalignment", "matrix", matrix);
+    detail::require_finite("Misalignment", "matrix", matrix);
     Matrix directions = matrix;
     for (int i = 0; i < N; ++i) {
       const Scalar largest = matrix.row(i).cwiseAbs().maxCoeff();
@@ -34,11 +35,11 @@ struct Misalignment {
     }
     const Scalar determinant = detail::determinant_of(directions);
     using std::abs;
-    require(abs(determinant) > Scalar(8) * std::numeric_limits<Scalar>::epsilon(), "Misalignment",
-            "determinant of the matrix with rows of unit length", determinant, "a matrix that can be inverted");
+    detail::require(abs(determinant) > Scalar(8) * std::numeric_limits<Scalar>::epsilon(), "Misalignment",
+                    "determinant of the matrix with rows of unit length", determinant, "a matrix that can be inverted");
   }
 
-  [[gnu::always_inline]] void apply(SensorSample<Scalar, N>& sample, State&) const {
+  SPLINERTIA_ALWAYS_INLINE void apply(SensorSample<Scalar, N>& sample, State&) const {
     const AxisVector<Scalar, N> value = matrix.lazyProduct(sample.value), bias = matrix.lazyProduct(sample.bias);
     sample.value = value;
     sample.bias = bias;
@@ -48,6 +49,6 @@ struct Misalignment {
 };
 
 template <typename P>
-Misalignment(const P&) -> Misalignment<ScalarOfParameter<P>, static_cast<int>(P::RowsAtCompileTime)>;
+Misalignment(const P&) -> Misalignment<detail::ScalarOfParameter<P>, static_cast<int>(P::RowsAtCompileTime)>;
 
 }  // namespace splinertia

@@ -8,12 +8,16 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The matrix as Kalibr splits it (imu.yaml of the scale-misalignment model): scale_and_shear·rotation.
 template <typename Scalar>
 struct KalibrMisalignment {
   Matrix3<Scalar> scale_and_shear;  ///< Kalibr's M: lower triangular, scale factors (near 1) on the diagonal
   Matrix3<Scalar> rotation;         ///< Kalibr's C_gyro_i: from the IMU's axes to the sensor's
 };
+
+}  // namespace detail
 
 /// The matrix M·C of Kalibr's parts. Kalibr's gyroscope reads M·C·ω + A·C·f + bias + noise (its A·C is the
 /// GSensitivity), its accelerometer M·f + bias + noise.
@@ -26,12 +30,12 @@ template <typename Scalar>
 /// Splits a matrix into Kalibr's parts by orthogonalising the rows (Gram–Schmidt); the first row keeps its direction.
 /// The rotation is proper. If the matrix mirrors, the last scale factor is negative.
 template <typename Scalar>
-[[nodiscard]] KalibrMisalignment<Scalar> split_misalignment(const Misalignment<Scalar>& misalignment) {
+[[nodiscard]] detail::KalibrMisalignment<Scalar> split_misalignment(const Misalignment<Scalar>& misalignment) {
   const Matrix3<Scalar>& m = misalignment.matrix;
   const Vector3<Scalar> x = m.row(0).transpose().normalized();
   const Vector3<Scalar> second = m.row(1).transpose();
   const Vector3<Scalar> y = (second - x * x.dot(second)).normalized();
-  KalibrMisalignment<Scalar> parts;
+  detail::KalibrMisalignment<Scalar> parts;
   parts.rotation.row(0) = x.transpose();
   parts.rotation.row(1) = y.transpose();
   parts.rotation.row(2) = x.cross(y).transpose();

@@ -18,8 +18,9 @@ struct ScaleFactor {
 
   /// Throws std::invalid_argument unless the error is finite and not −1, which would lose the signal.
   constexpr ScaleFactor(const PerAxis<Scalar, N>& error_) : error(error_) {
-    require_finite("ScaleFactor", "error", error);
-    for (const Scalar& e : error) require(e != Scalar(-1), "ScaleFactor", "error", e, "a scale 1 + error other than 0");
+    detail::require_finite("ScaleFactor", "error", error);
+    for (const Scalar& e : error)
+      detail::require(e != Scalar(-1), "ScaleFactor", "error", e, "a scale 1 + error other than 0");
   }
 
   template <int Axes>
@@ -32,6 +33,6 @@ struct ScaleFactor {
 };
 
 template <typename P>
-ScaleFactor(const P&) -> ScaleFactor<ScalarOfParameter<P>, values_in_parameters<P>>;
+ScaleFactor(const P&) -> ScaleFactor<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -20,7 +20,7 @@ struct ScaleFactorAsymmetry {
   /// Throws std::invalid_argument unless the asymmetry is > −2 and < 2: beyond, one of the slopes would not be positive.
   constexpr ScaleFactorAsymmetry(const PerAxis<Scalar, N>& asymmetry_) : asymmetry(asymmetry_) {
     for (const Scalar& a : asymmetry)
-      require(a > Scalar(-2) && a < Scalar(2), "ScaleFactorAsymmetry", "asymmetry", a, "a number > -2 and < 2");
+      detail::require(a > Scalar(-2) && a < Scalar(2), "ScaleFactorAsymmetry", "asymmetry", a, "a number > -2 and < 2");
   }
 
   template <int Axes>
@@ -37,6 +37,6 @@ struct ScaleFactorAsymmetry {
 };
 
 template <typename P>
-ScaleFactorAsymmetry(const P&) -> ScaleFactorAsymmetry<ScalarOfParameter<P>, values_in_parameters<P>>;
+ScaleFactorAsymmetry(const P&) -> ScaleFactorAsymmetry<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -24,8 +24,8 @@ struct TemperatureScale {
   constexpr TemperatureScale(const PerAxis<Scalar, N>& coefficient_, const Profile& temperature_,
                              const Scalar& reference_ = Scalar(25))
       : coefficient(coefficient_), temperature(temperature_), reference(reference_) {
-    require_factor("TemperatureScale", "coefficient", coefficient);
-    require_factor("TemperatureScale", "reference temperature", reference);
+    detail::require_factor("TemperatureScale", "coefficient", coefficient);
+    detail::require_factor("TemperatureScale", "reference temperature", reference);
   }
 
   template <int Axes>
@@ -38,13 +38,13 @@ struct TemperatureScale {
 
   void describe(auto&& parameter) const {
     parameter("coefficient", coefficient, "1/K");
-    describe_profile(temperature, parameter);
+    detail::describe_profile(temperature, parameter);
     parameter("reference temperature", reference, "degC");
   }
 };
 
 template <typename P, typename Profile, typename... More>
-TemperatureScale(const P&, const Profile&,
-                 const More&...) -> TemperatureScale<ScalarOfParameter<P>, Profile, values_in_parameter<P>>;
+TemperatureScale(const P&, const Profile&, const More&...)
+    -> TemperatureScale<detail::ScalarOfParameter<P>, Profile, detail::values_in_parameter<P>>;
 
 }  // namespace splinertia

@@ -23,7 +23,7 @@ struct VibrationRectification {
 
   /// Throws std::invalid_argument unless the coefficient and its third power are finite.
   constexpr VibrationRectification(const PerAxis<Scalar, N>& coefficient_) : coefficient(coefficient_) {
-    require_factor("VibrationRectification", "coefficient", coefficient);
+    detail::require_factor("VibrationRectification", "coefficient", coefficient);
   }
 
   template <int Axes>
@@ -36,6 +36,7 @@ struct VibrationRectification {
 };
 
 template <typename P>
-VibrationRectification(const P&) -> VibrationRectification<ScalarOfParameter<P>, values_in_parameters<P>>;
+VibrationRectification(const P&)
+    -> VibrationRectification<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -3,7 +3,7 @@
 
 #include <splinertia/group/detail/rotation.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The 6 × 6 matrix [A B; 0 A], stored as the dual number A + εB with ε² = 0. Every Adjoint, bracket and Jacobian of
 /// SE(3) on [translation; rotation] has this form, because SE(3) is SO(3) over the dual numbers. A product costs three
@@ -33,4 +33,4 @@ struct DualMatrix3 {
   }
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <splinertia/detail/fixed_array.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The number of terms of an economized series for which its error on [0, length] is at most `bound` times c_n(0).
 /// T*_m(x/length), the shifted Chebyshev polynomial, has the leading coefficient 2^(2m−1)/length^m. Removing the term
@@ -61,4 +61,4 @@ template <typename Real, int Terms>
   return a;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -10,6 +10,8 @@ namespace splinertia {
 
 using Eigen::Vector2;
 
+namespace detail {
+
 /// i ρ.
 template <typename Scalar>
 [[nodiscard]] inline Vector2<Scalar> quarter_turn(const Vector2<Scalar>& rho) {
@@ -67,5 +69,7 @@ template <typename Scalar>
   m << diagonal, s, column.x(), -s, diagonal, column.y(), zero, zero, one;
   return m;
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

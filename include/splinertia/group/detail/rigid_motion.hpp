@@ -9,7 +9,7 @@
 #include <splinertia/group/detail/dual_matrix.hpp>
 #include <splinertia/group/detail/rotation.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// exp([ρ; φ]): the rotation as a quaternion, and the translation J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ. (The equal
 /// form ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) loses a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.)
@@ -75,4 +75,4 @@ template <typename Scalar>
               hat_polynomial<Scalar>(Scalar(0), Scalar(0), slope, phi)};
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

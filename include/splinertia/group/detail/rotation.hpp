@@ -13,7 +13,7 @@
 #include <splinertia/group/detail/stumpff.hpp>
 #include <splinertia/group/lie_group.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// exp(φ) as a quaternion (sin(θ/2) φ/θ, cos(θ/2)). Of unit length up to rounding; not normalised.
 template <typename Scalar>
@@ -191,4 +191,4 @@ template <typename Scalar>
   return hat_polynomial<Scalar>(Scalar(1), Scalar(Constant<Scalar>(-1) / Constant<Scalar>(2)), E, phi);
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

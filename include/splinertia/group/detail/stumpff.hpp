@@ -28,7 +28,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The type of constants that are used with Scalar: a built-in type if it is precise enough, else Scalar itself. For
 /// automatic differentiation types such as ceres::Jet, products with a built-in type are cheaper.
@@ -95,7 +95,7 @@ template <typename Scalar, typename Real, std::size_t Terms>
          every_other(2 * even, std::make_index_sequence<even>{});
 }
 
-/// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types narrower than long double, alone or in SIMD packs (Lanes), use the
+/// c_n(x), n ≥ 2, for 0 ≤ x ≤ (π/2)². Built-in types narrower than long double, alone or in SIMD packs (SimdPack), use the
 /// economized series: it is one or two terms shorter, with an error of at most eps/8 of c_n(0). Other types use the
 /// Taylor series: long double, because its coefficients cannot be rounded from a wider type; automatic differentiation
 /// types, because the derivatives of the economized series are less accurate; and types with still more digits.
@@ -103,7 +103,7 @@ template <int n, typename Scalar>
 [[nodiscard]] inline Scalar stumpff_series(const Scalar& x) {
   using Real = Constant<Scalar>;
   constexpr int digits = std::numeric_limits<Scalar>::digits;
-  constexpr bool built_in = std::is_floating_point_v<Scalar> || is_lanes<Scalar>;
+  constexpr bool built_in = std::is_floating_point_v<Scalar> || is_simd_pack<Scalar>;
   if constexpr (built_in && digits < std::numeric_limits<long double>::digits) {
     constexpr int terms =
         economized_terms(n, stumpff_reach, static_cast<long double>(std::numeric_limits<Real>::epsilon()) / 8);
@@ -196,8 +196,8 @@ template <int N, typename Scalar>
 
 /// The same for SIMD packs, for X ≤ π² only: the lanes of a pack cannot take different branches.
 template <int N, typename T, int Size, int Bytes>
-[[nodiscard]] inline StumpffValues<Lanes<T, Size, Bytes>, N> stumpff(const Lanes<T, Size, Bytes>& X) {
-  using L = Lanes<T, Size, Bytes>;
+[[nodiscard]] inline StumpffValues<SimdPack<T, Size, Bytes>, N> stumpff(const SimdPack<T, Size, Bytes>& X) {
+  using L = SimdPack<T, Size, Bytes>;
   StumpffValues<L, N> values;
   values.half = stumpff_small<N>(L(X / T(4)));
   values.full = stumpff_doubled(values.half);
@@ -240,4 +240,4 @@ template <typename Scalar, int N>
   return (numerator - (h[2] - h[3]) * h1_derivative / h[1]) / (Real(4) * h[1]);
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -8,7 +8,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/product.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// TurnAngle<G>::of(δ) is the rotation angle of exp(δ), rad: 0 for groups without rotations, the largest of the factors
 /// for a product. It recognises types with Sophus' accessors: unit_quaternion(), so3(), unit_complex(), so2().
@@ -37,7 +37,7 @@ struct TurnAngle<Product<F...>> {
 
   [[nodiscard]] static ScalarOf<G> of(const Tangent<G>& delta) {
     ScalarOf<G> largest(0);
-    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+    for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
       const auto part = delta.template segment<DofOf<Factor>>(G::template offset<Index>);
       largest = (std::max)(largest, TurnAngle<Factor>::of(part));
     });
@@ -45,4 +45,4 @@ struct TurnAngle<Product<F...>> {
   }
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -30,12 +30,12 @@ class SampleClock {
     if (const auto interval = static_cast<Scalar>(1 / rate_); !(interval > Scalar(0) && is_finite(interval)))
       refuse<std::invalid_argument>(whose, ": rate is ", rate_, " Hz, expected a finite, non-zero interval 1/rate");
     for (int axis = 0; axis < 3; ++axis) require_finite(whose, "gravity", options.gravity[axis]);
-    if (options.start) require_finite(whose, "start", printable(start_));
-    if (options.end) require_finite(whose, "end", printable(end_));
+    if (options.start) require_finite(whose, "start", seconds_or_ticks(start_));
+    if (options.end) require_finite(whose, "end", seconds_or_ticks(end_));
     if (!(motion.start() <= start_ && start_ <= end_ && end_ <= motion.end())) {
-      refuse<std::invalid_argument>(whose, ": samples wanted from ", printable(start_), " to ", printable(end_),
-                                    ", the motion is defined from ", printable(motion.start()), " to ",
-                                    printable(motion.end()));
+      refuse<std::invalid_argument>(whose, ": samples wanted from ", seconds_or_ticks(start_), " to ",
+                                    seconds_or_ticks(end_), ", the motion is defined from ",
+                                    seconds_or_ticks(motion.start()), " to ", seconds_or_ticks(motion.end()));
     }
     if (!(is_finite(start_) && is_finite(end_))) {
       refuse<std::invalid_argument>(whose, ": the motion has no bounds, expected options .start and .end");

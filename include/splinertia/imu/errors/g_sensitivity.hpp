@@ -19,7 +19,7 @@ struct GSensitivity {
 
   /// Throws std::invalid_argument unless all elements are finite.
   GSensitivity(const Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
-    require_finite("GSensitivity", "sensitivity", sensitivity);
+    detail::require_finite("GSensitivity", "sensitivity", sensitivity);
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }
@@ -28,6 +28,6 @@ struct GSensitivity {
 };
 
 template <typename P>
-GSensitivity(const P&) -> GSensitivity<ScalarOfParameter<P>>;
+GSensitivity(const P&) -> GSensitivity<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

@@ -22,7 +22,7 @@ struct GSquaredSensitivity {
 
   /// Throws std::invalid_argument unless the sensitivity and its third power are finite.
   constexpr GSquaredSensitivity(const PerAxis<Scalar, N>& sensitivity_) : sensitivity(sensitivity_) {
-    require_factor("GSquaredSensitivity", "sensitivity", sensitivity);
+    detail::require_factor("GSquaredSensitivity", "sensitivity", sensitivity);
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const {
@@ -33,6 +33,6 @@ struct GSquaredSensitivity {
 };
 
 template <typename P>
-GSquaredSensitivity(const P&) -> GSquaredSensitivity<ScalarOfParameter<P>, values_in_parameters<P>>;
+GSquaredSensitivity(const P&) -> GSquaredSensitivity<detail::ScalarOfParameter<P>, detail::values_in_parameters<P>>;
 
 }  // namespace splinertia

@@ -28,7 +28,7 @@ struct SizeEffect {
 
   /// Throws std::invalid_argument unless all positions and their third powers are finite.
   SizeEffect(const Matrix3<Scalar>& positions_) : positions(positions_) {
-    for (int i = 0; i < 9; ++i) require_factor("SizeEffect", "position", positions(i / 3, i % 3));
+    for (int i = 0; i < 9; ++i) detail::require_factor("SizeEffect", "position", positions(i / 3, i % 3));
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State& state) const {
@@ -53,6 +53,6 @@ struct SizeEffect {
 };
 
 template <typename P>
-SizeEffect(const P&) -> SizeEffect<ScalarOfParameter<P>>;
+SizeEffect(const P&) -> SizeEffect<detail::ScalarOfParameter<P>>;
 
 }  // namespace splinertia

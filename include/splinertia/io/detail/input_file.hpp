@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// A file to read, directly into the caller's memory.
 class InputFile {
@@ -53,4 +53,4 @@ class InputFile {
   std::uintmax_t size_ = 0;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Writes eight bytes and returns their end.
 inline char* store_little_endian(char* to, std::uint64_t bits) {
@@ -31,4 +31,4 @@ template <typename T>
   return std::bit_cast<T>(bits);
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

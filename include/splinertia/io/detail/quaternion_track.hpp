@@ -8,7 +8,7 @@
 #include <splinertia/io/stamped_table.hpp>
 #include <string>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Converts the quaternions in successive rows of a table to rotations. Each is normalised and gets the sign nearer to
 /// its predecessor (the first keeps its own), so that the four numbers are continuous where the motion is.
@@ -50,4 +50,4 @@ class QuaternionTrack {
   Eigen::Vector4d previous_ = Eigen::Vector4d::Zero();
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -9,12 +9,7 @@
 #include <splinertia/random/random_stream.hpp>
 #include <type_traits>
 
-namespace splinertia {
-
-/// The requirements of std::uniform_random_bit_generator, without including <random>.
-template <typename G>
-concept BitGenerator = std::move_constructible<G> && std::unsigned_integral<std::invoke_result_t<G&>> &&
-                       requires { requires(G::min)() < (G::max)(); };
+namespace splinertia::detail {
 
 /// 64 random bits at a time, from any uniform random bit generator that can be moved and seeded. The seed is the key
 /// itself if the generator takes one. Else it is the key's hash, as for the engines of <random> (those with 32-bit
@@ -60,4 +55,4 @@ class RandomBits {
   Generator generator_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <type_traits>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// a·b + c, rounded once at run time, whatever the compiler may contract. In constant expressions it is rounded twice.
 [[nodiscard]] constexpr double multiply_add(double a, double b, double c) {
@@ -118,7 +118,7 @@ inline constexpr bool is_reproducible = std::same_as<Scalar, double> || std::sam
 
 /// exp(−x) for x >= 0.
 template <typename Scalar>
-[[nodiscard]] Scalar exponential_decay(const Scalar& x) {
+[[nodiscard]] Scalar exp_minus(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {
     return static_cast<Scalar>(reproducible_exp(-static_cast<double>(x)));
   } else {
@@ -129,7 +129,7 @@ template <typename Scalar>
 
 /// −expm1(−x) = 1 − exp(−x) for x >= 0, to full relative accuracy.
 template <typename Scalar>
-[[nodiscard]] Scalar exponential_rise(const Scalar& x) {
+[[nodiscard]] Scalar one_minus_exp_minus(const Scalar& x) {
   if constexpr (is_reproducible<Scalar>) {
     return static_cast<Scalar>(-reproducible_expm1(-static_cast<double>(x)));
   } else {
@@ -178,4 +178,4 @@ struct Oscillation {
   }
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -26,7 +26,7 @@
 #include <splinertia/time.hpp>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The units of units_between() per second: 1, or the ticks per second of an integer Time.
 template <typename Real, TimePoint Time>
@@ -106,4 +106,4 @@ template <int Order, int D, typename Scalar, TimePoint Time>
   return nonuniform_basis<Order, D, Scalar>(knots, before, behind);
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

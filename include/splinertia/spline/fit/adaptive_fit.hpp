@@ -19,20 +19,20 @@ namespace splinertia {
 /// Needs NonUniformKnots; the knots are fit.spline.knots(). The options knots or knot_interval give the start (by
 /// default, one segment per 256 poses). With a robust loss, outliers have no weight (search_options). Throws
 /// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
-template <typename Curve, StampedPoses Poses>
-  requires std::same_as<KnotsOf<Curve>, NonUniformKnots<typename Curve::Time>>
+template <typename Curve, detail::StampedPoses Poses>
+  requires std::same_as<detail::KnotsOf<Curve>, NonUniformKnots<typename Curve::Time>>
 [[nodiscard]] Fit<Curve> adaptive_fit(const Poses& poses, const Tangent<typename Curve::Group>& goal,
                                       FitOptions<Curve> options = {}) {
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
   constexpr auto k = static_cast<std::ptrdiff_t>(Curve::order);
-  check_goal<G>("adaptive_fit", goal);
-  const auto data = fit_data<Curve>(poses, "adaptive_fit");
+  detail::check_goal<G>("adaptive_fit", goal);
+  const auto data = detail::fit_data<Curve>(poses, "adaptive_fit");
   if (!options.knot_interval && !options.knots && data.size() >= 2) {
     options.knot_interval =
         to_seconds<double>(data.back().time - data.front().time) / std::ceil(static_cast<double>(data.size()) / 256);
   }
-  options = search_options<Curve>(std::move(options), data, goal);
+  options = detail::search_options<Curve>(std::move(options), data, goal);
   for (;;) {
     Fit<Curve> result = fit<Curve>(data, options);
     const auto& knots = result.spline.knots().knots;
@@ -62,7 +62,7 @@ template <typename Curve, StampedPoses Poses>
     if (same || finer.size() - 1 > data.size()) return result;
     finer.insert(finer.end(), knots.end() - k + 1, knots.end());
     options.knot_interval.reset();
-    options.knots = KnotsOf<Curve>{std::move(finer)};
+    options.knots = detail::KnotsOf<Curve>{std::move(finer)};
   }
 }
 

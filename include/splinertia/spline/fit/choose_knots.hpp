@@ -16,6 +16,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Throws std::invalid_argument, naming the caller, `whose`, unless every component is finite and positive.
 template <LieGroup G>
 void check_goal(const char* whose, const Tangent<G>& goal) {
@@ -54,18 +56,20 @@ template <typename Curve>
   return options;
 }
 
+}  // namespace detail
+
 /// The longest knot interval, to a twentieth, for which fit() brings the RMS of every component of the residuals down
 /// to `goal` (rad and m for SO3xR3). With a robust loss, outliers are excluded (search_options). The search halves the
 /// interval, from one segment per thousand poses on, until the goal is met. Then it bisects between the last two.
 ///
 /// Throws std::runtime_error if no interval that gives at most as many control points as poses meets the goal, and
 /// std::invalid_argument for a goal that is not finite and positive, or as fit() does.
-template <typename Curve, StampedPoses Poses>
+template <typename Curve, detail::StampedPoses Poses>
 [[nodiscard]] double coarsest_knot_interval(const Poses& poses, const Tangent<typename Curve::Group>& goal,
                                             FitOptions<Curve> options = {}) {
-  check_goal<typename Curve::Group>("coarsest_knot_interval", goal);
-  const auto data = fit_data<Curve>(poses, "coarsest_knot_interval");
-  options = search_options<Curve>(std::move(options), data, goal);
+  detail::check_goal<typename Curve::Group>("coarsest_knot_interval", goal);
+  const auto data = detail::fit_data<Curve>(poses, "coarsest_knot_interval");
+  options = detail::search_options<Curve>(std::move(options), data, goal);
   options.knots.reset();
   const double span = to_seconds<double>(data.back().time - data.front().time);
   Tangent<typename Curve::Group> reached;
@@ -83,9 +87,9 @@ template <typename Curve, StampedPoses Poses>
     enough = enough < most ? (std::min)(2 * enough, most) : most + 1;
   }
   if (enough > most) {
-    refuse<std::runtime_error>("coarsest_knot_interval: even with knots ", interval_of(most),
-                               " s apart, one control point per pose, the RMS residuals are up to ",
-                               reached.cwiseQuotient(goal).maxCoeff(), " times the goal");
+    detail::refuse<std::runtime_error>("coarsest_knot_interval: even with knots ", interval_of(most),
+                                       " s apart, one control point per pose, the RMS residuals are up to ",
+                                       reached.cwiseQuotient(goal).maxCoeff(), " times the goal");
   }
   while (enough - too_few > std::max<std::size_t>(1, enough / 20)) {
     const std::size_t middle = too_few + (enough - too_few) / 2;
@@ -112,13 +116,13 @@ struct CrossValidation {
 ///
 /// Requires independent noise of neighbouring poses: for a trajectory that an estimator has smoothed, the finest
 /// interval is always the best. Throws as fit() does.
-template <typename Curve, StampedPoses Poses>
+template <typename Curve, detail::StampedPoses Poses>
 [[nodiscard]] CrossValidation cross_validated_knot_interval(const Poses& poses, FitOptions<Curve> options = {},
                                                             double tolerance = 0.02) {
   using Scalar = typename Curve::Scalar;
   constexpr std::size_t every = 4;
-  const auto data = fit_data<Curve>(poses, "cross_validated_knot_interval");
-  options = search_options<Curve>(std::move(options), data, {});
+  const auto data = detail::fit_data<Curve>(poses, "cross_validated_knot_interval");
+  options = detail::search_options<Curve>(std::move(options), data, {});
   options.knots.reset();
   const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
   const double span = to_seconds<double>(data.back().time - data.front().time);
@@ -151,16 +155,16 @@ template <typename Curve, StampedPoses Poses>
 
   CrossValidation result{span, {}};
   double least = std::numeric_limits<double>::infinity();
-  int risen = 0;
+  int increases = 0;
   const double most = 0.6 * static_cast<double>(data.size()) - Curve::order;
   for (double segments = (std::max)(1.0, static_cast<double>(data.size()) / 512); segments <= (std::max)(1.0, most);
        segments *= std::sqrt(2.0)) {
     const double interval = span / std::round(segments);
     if (!result.tried.empty() && interval == result.tried.back().knot_interval) continue;
     result.tried.push_back({interval, error_of(interval)});
-    risen = result.tried.back().error > least * (1 + tolerance) ? risen + 1 : 0;
+    increases = result.tried.back().error > least * (1 + tolerance) ? increases + 1 : 0;
     least = (std::min)(least, result.tried.back().error);
-    if (risen == 2) break;
+    if (increases == 2) break;
   }
   for (const auto& [interval, error] : result.tried) {
     if (error <= least * (1 + tolerance)) {

@@ -33,6 +33,8 @@ struct CurveEnds {
   Tangent<G> end_velocity = Tangent<G>::Zero();
 };
 
+namespace detail {
+
 /// End conditions as a least-squares cost. Velocity and acceleration are those of the curve. A higher derivative is
 /// Σ λ_j⁽ᵐ⁾ d_j, as if the increments commuted; not-a-knot is a difference of increments. Each is scaled by the length
 /// of the segment to the unit of an increment.
@@ -103,9 +105,9 @@ class EndTerm {
     const Scalar length = length_of_segment(curve, s);
     FixedArray<FixedArray<Scalar, nodes>, order - 1> values;
     for (std::size_t n = 0; n < nodes; ++n) {
-      const auto place = curve.knots().template basis<Scalar, order, 2>(
+      const auto located = curve.knots().template basis<Scalar, order, 2>(
           begin + fraction_of(end - begin, quadrature.node[n]), curve.control_points().size());
-      for (std::size_t j = 0; j + 1 < order; ++j) values[j][n] = place.basis.lambda[2][j] * length * length;
+      for (std::size_t j = 0; j + 1 < order; ++j) values[j][n] = located.basis.lambda[2][j] * length * length;
     }
     Combination c;
     c.first = s;
@@ -156,5 +158,7 @@ class EndTerm {
   std::vector<int> motion_derivatives_;
   std::vector<Combination> combinations_;
 };
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <ranges>
 #include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/detail/fit_problem.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
-#include <splinertia/spline/fit/fit_problem.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <utility>
 
@@ -28,13 +28,13 @@ namespace splinertia {
 /// matter.
 ///
 /// Throws std::invalid_argument for fewer than two poses, for poses that are not finite, not on their group, or not in
-/// ascending order of time, and for invalid options. Fit::gaps and Fit::held_control_points show where poses are too
+/// ascending order of time, and for invalid options. Fit::gaps and Fit::regularized_control_points show where poses are too
 /// few.
-template <typename Curve, StampedPoses Poses>
+template <typename Curve, detail::StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] Fit<Curve> fit(const Poses& poses, const FitOptions<Curve>& options = {}) {
   const auto fit_once = [&](const FitOptions<Curve>& with) {
-    FitProblem<Curve> problem(poses, with);
+    detail::FitProblem<Curve> problem(poses, with);
     problem.solve();
     Curve curve = problem.curve();
     return std::move(problem).report(std::move(curve));
@@ -46,7 +46,7 @@ template <typename Curve, StampedPoses Poses>
   const auto turns_too_far = [](const Fit<Curve>& fit) {
     const auto& increments = fit.spline.increments();
     return std::any_of(increments.begin(), increments.end(), [](const auto& d) {
-      return static_cast<double>(TurnAngle<typename Curve::Group>::of(d)) > largest_turn;
+      return static_cast<double>(detail::TurnAngle<typename Curve::Group>::of(d)) > detail::largest_turn;
     });
   };
   const auto outliers = [](const Fit<Curve>& fit) { return fit.outliers.size(); };
@@ -57,7 +57,7 @@ template <typename Curve, StampedPoses Poses>
     const bool turns = fast && turns_too_far(result);
     if (!turns && (outliers(result) <= few || result.knot_choice->limit == KnotLimit::poses)) break;
     FitOptions<Curve> closer = options;
-    KnotChoice<typename Curve::Group> choice = *result.knot_choice;
+    detail::KnotChoice<typename Curve::Group> choice = *result.knot_choice;
     choice.interval *= 0.7;
     choice.limit = turns ? KnotLimit::turn : KnotLimit::motion;
     closer.knot_interval = choice.interval;

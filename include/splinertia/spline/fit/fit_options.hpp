@@ -14,9 +14,13 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The type of a curve's knots.
 template <typename Curve>
 using KnotsOf = std::remove_cvref_t<decltype(std::declval<const Curve&>().knots())>;
+
+}  // namespace detail
 
 /// Stamped poses in the group and the time type of a curve.
 template <typename Curve>
@@ -41,7 +45,7 @@ struct FitOptions {
   /// The largest knot interval, s. Knots are evenly spaced from the first to the last pose.
   std::optional<double> knot_interval{};
   /// Your own knots. UniformKnots are continued to the last pose; NonUniformKnots must cover all poses.
-  std::optional<KnotsOf<Curve>> knots{};
+  std::optional<detail::KnotsOf<Curve>> knots{};
   /// Standard deviation of a pose, per tangent component: rad and m for SO3xR3. By default ones. With a robust loss it
   /// is by default estimated from the residuals (median of their magnitudes), because it decides which poses are
   /// outliers.
@@ -56,8 +60,10 @@ struct FitOptions {
   /// Whether a weak prior regularises the outermost Order − 2 segments at either end, where one wrong pose bends the
   /// curve freely. It allows accelerations up to three times those of the rest, noise included. Without it and
   /// without gaps, fit() is pure least squares (or the loss).
-  bool hold_ends = true;
+  bool regularize_ends = true;
 };
+
+namespace detail {
 
 /// The residuals of the curve at the poses.
 template <LieGroup G>
@@ -70,6 +76,8 @@ struct FitResiduals {
   Scalar rms;                     ///< RMS of |log(pose⁻¹ · curve)|, over all components regardless of their units
   Scalar max;                     ///< largest |log(pose⁻¹ · curve)|
 };
+
+}  // namespace detail
 
 /// A span without poses, long compared with the knot interval and with the usual interval of poses. No data determine
 /// the curve inside it.
@@ -85,8 +93,8 @@ struct Fit {
   using Scalar = typename Curve::Scalar;
 
   Curve spline;
-  std::optional<KnotChoice<Group>> knot_choice{};  ///< set if the options specify no knots
-  FitResiduals<Group> residuals{};
+  std::optional<detail::KnotChoice<Group>> knot_choice{};  ///< set if the options specify no knots
+  detail::FitResiduals<Group> residuals{};
   /// Standard deviation of a pose: as given, or estimated from the residuals (1.4826 times the median of their
   /// magnitudes, corrected for the share of the data that the control points take).
   Tangent<Group> standard_deviation{};
@@ -97,7 +105,7 @@ struct Fit {
   /// `smoothness` asks for). No measurement supports it: a velocity or acceleration within a gap is not data.
   std::vector<FitGap<typename Curve::Time>> gaps{};
   /// Number of control points that the poses alone do not determine.
-  std::size_t held_control_points = 0;
+  std::size_t regularized_control_points = 0;
   int iterations = 0;      ///< linear systems solved
   bool converged = false;  ///< false: most_iterations was reached, or no step lowered the cost
   Scalar condition{};      ///< condition number of the normal equations scaled to unit diagonal; estimated from below

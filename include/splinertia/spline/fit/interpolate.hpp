@@ -22,6 +22,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Knots for a curve through the poses, and the number of control points. NonUniformKnots are at the poses, except
 /// those that not-a-knot leaves out. UniformKnots are evenly spaced; throws std::invalid_argument if a pose is more
 /// than a quarter of their interval from its knot.
@@ -53,6 +55,8 @@ template <typename Curve>
   }
 }
 
+}  // namespace detail
+
 /// The spline of an even order >= 4 through every pose, Order − 2 times continuously differentiable:
 ///
 ///   using Curve = Spline<SO3xR3<double>, 4, NonUniformKnots<double>>;
@@ -65,35 +69,36 @@ template <typename Curve>
 /// Throws std::invalid_argument for invalid poses as fit() does, for fewer than two poses (with not-a-knot: than the
 /// order), and for unevenly spaced poses with UniformKnots. Throws std::runtime_error if no such curve is found because
 /// the poses turn too much from one to the next.
-template <typename Curve, StampedPoses Poses>
+template <typename Curve, detail::StampedPoses Poses>
   requires LieGroupWithJacobians<typename Curve::Group>
 [[nodiscard]] Curve interpolate(const Poses& poses, const CurveEnds<typename Curve::Group>& ends = {}) {
   static_assert(Curve::order >= 4 && Curve::order % 2 == 0, "interpolate() needs a curve of even order, at least 4");
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
-  const auto data = fit_data<Curve>(poses, "interpolate");
+  const auto data = detail::fit_data<Curve>(poses, "interpolate");
   const std::size_t least = ends.condition == EndCondition::not_a_knot ? Curve::order : 2;
   if (data.size() < least) {
-    refuse<std::invalid_argument>("interpolate: ", data.size(), " poses, expected at least ", least);
+    detail::refuse<std::invalid_argument>("interpolate: ", data.size(), " poses, expected at least ", least);
   }
-  auto [knots, control_points] = interpolation_knots<Curve>(data, ends.condition);
-  Curve curve = poses_at_control_points<Curve>(data, std::move(knots), control_points);
+  auto [knots, control_points] = detail::interpolation_knots<Curve>(data, ends.condition);
+  Curve curve = detail::poses_at_control_points<Curve>(data, std::move(knots), control_points);
 
   // There are as many equations as unknowns, so the minimum of the squares is zero.
-  using Model = CurveModel<Curve, Curve::order, PoseTerm<Curve>, EndTerm<Curve>>;
+  using Model = detail::CurveModel<Curve, Curve::order, detail::PoseTerm<Curve>, detail::EndTerm<Curve>>;
   const std::vector<Scalar> weights;
-  const PoseTerm<Curve> through(data, weights, Tangent<G>::Ones(), RobustLoss::squares());
-  const EndTerm<Curve> end_term(ends, curve);
+  const detail::PoseTerm<Curve> through(data, weights, Tangent<G>::Ones(), RobustLoss::squares());
+  const detail::EndTerm<Curve> end_term(ends, curve);
   typename Model::System system(control_points);
-  BandedCholesky<typename Model::System> factor;
-  const Scalar extent = extent_of(data).maxCoeff(), epsilon = std::numeric_limits<Scalar>::epsilon();
-  const auto minimum = minimize(Model(through, end_term), curve, system, factor,
-                                {.relative = Scalar(0), .absolute = epsilon * extent * extent, .most_iterations = 100});
+  detail::BandedCholesky<typename Model::System> factor;
+  const Scalar extent = detail::extent_of(data).maxCoeff(), epsilon = std::numeric_limits<Scalar>::epsilon();
+  const auto minimum =
+      detail::minimize(Model(through, end_term), curve, system, factor,
+                       {.relative = Scalar(0), .absolute = epsilon * extent * extent, .most_iterations = 100});
   const auto all = [](std::size_t) { return true; };
-  const Scalar off = residuals_of(data, curve, all).max;
+  const Scalar off = detail::residuals_of(data, curve, all).max;
   using std::sqrt;
   if (!minimum.converged || !(off <= sqrt(epsilon) * (Scalar(1) + extent) / Scalar(64))) {
-    refuse<std::runtime_error>("interpolate: no curve found through all poses, the best is off by up to ", off);
+    detail::refuse<std::runtime_error>("interpolate: no curve found through all poses, the best is off by up to ", off);
   }
   return curve;
 }

@@ -21,6 +21,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The largest rotation between neighbouring control points, rad. Beyond π its direction would be ambiguous.
 inline constexpr double largest_turn = 2 * std::numbers::pi / 3;
 
@@ -85,6 +87,8 @@ template <LieGroup G, TimePoint Time>
   return MotionAtScale<G>{sum.residual_square / number, sum.acceleration_square / number};
 }
 
+}  // namespace detail
+
 /// What limits the chosen knot interval.
 enum class KnotLimit {
   motion,  ///< a longer one has a velocity error above the noise and an acceleration error above a two-thousandth
@@ -92,6 +96,8 @@ enum class KnotLimit {
   turn,    ///< neighbouring control points would turn by more than 120° relative to each other
   length,  ///< 64 poses per knot, or eight segments in all, are reached: the poses show no motion
 };
+
+namespace detail {
 
 /// A knot interval chosen for poses, and what limits it.
 template <LieGroup G>
@@ -143,19 +149,21 @@ struct SplineErrors {
   }
 };
 
+}  // namespace detail
+
 /// Chooses the knot interval for an accurate velocity: the longest interval h for which in each component the error of
 /// the velocity is below its noise, or that of the acceleration is below a two-thousandth of it. The noise is the RMS
 /// over all components of the same unit. The residual against the cubic through poses at ±h and ±2h is h⁴ |x⁗|/6, which
 /// gives the errors of the spline. The noise of the velocity is about 1.5 σ/(h √N), with N poses per knot. Requires at
 /// least two poses in ascending order of time.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
+[[nodiscard]] detail::KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = to_seconds<double>(poses.back().time - poses.front().time);
-  KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, noise_of(poses)};
-  const auto good = [&](double h, const MotionAtScale<G>& motion) {
+  detail::KnotChoice<G> choice{0, KnotLimit::length, detail::median_interval(poses), 0, detail::noise_of(poses)};
+  const auto good = [&](double h, const detail::MotionAtScale<G>& motion) {
     const double poses_to_a_knot = h / choice.pose_interval;
     bool all = true;
-    TangentUnits<G>::for_each([&](int first, int rows) {
+    detail::TangentUnits<G>::for_each([&](int first, int rows) {
       const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
       const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
       for (int row = first; row < first + rows; ++row) {
@@ -166,7 +174,7 @@ template <LieGroup G, TimePoint Time>
         };
         const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
         const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
-        const SplineErrors error(order, second, fourth);
+        const detail::SplineErrors error(order, second, fourth);
         all = all && (error.first <= noise_of_first || error.second <= 5e-4 * second);
       }
     });
@@ -175,10 +183,10 @@ template <LieGroup G, TimePoint Time>
   const double shortest = 1.25 * choice.pose_interval;
   const double longest = (std::max)(shortest, (std::min)(64 * choice.pose_interval, span / 8));
   choice.interval = shortest;
-  const UnbrokenPoses<G, Time> unbroken(poses);
+  const detail::UnbrokenPoses<G, Time> unbroken(poses);
   bool any = false;
   for (double h = 2 * choice.pose_interval; h < 1.19 * longest; h *= 1.19) {
-    const auto motion = motion_at_scale(unbroken, (std::min)(h, longest));
+    const auto motion = detail::motion_at_scale(unbroken, (std::min)(h, longest));
     if (!motion && !any) continue;
     if (!motion) break;
     if (!good((std::min)(h, longest), *motion)) {
@@ -188,8 +196,9 @@ template <LieGroup G, TimePoint Time>
     any = true;
     choice.interval = (std::min)(h, longest);
   }
-  const auto noise_of_turns = static_cast<double>(TurnAngle<G>::of(choice.noise));
-  choice.unambiguous = longest_unambiguous_interval(poses, is_finite(noise_of_turns) ? noise_of_turns : 0);
+  const auto noise_of_turns = static_cast<double>(detail::TurnAngle<G>::of(choice.noise));
+  choice.unambiguous =
+      detail::longest_unambiguous_interval(poses, detail::is_finite(noise_of_turns) ? noise_of_turns : 0);
   if (choice.unambiguous < choice.interval) {
     choice.interval = choice.unambiguous;
     choice.limit = KnotLimit::turn;

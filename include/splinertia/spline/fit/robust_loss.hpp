@@ -45,7 +45,9 @@ class RobustLoss {
  private:
   enum class Kind { squares, huber, cauchy };
 
-  RobustLoss(Kind kind, double limit) : kind_(kind), limit_(limit) { require_positive("RobustLoss", "limit", limit); }
+  RobustLoss(Kind kind, double limit) : kind_(kind), limit_(limit) {
+    detail::require_positive("RobustLoss", "limit", limit);
+  }
 
   Kind kind_;
   double limit_;

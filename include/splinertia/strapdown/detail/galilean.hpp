@@ -12,7 +12,7 @@
 #include <splinertia/group/detail/rotation.hpp>
 #include <splinertia/group/detail/stumpff.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// [ φ^ ν ρ; 0 0 τ; 0 0 0 ]: φ in rad, ν in m/s, ρ in m, τ in s.
 template <typename Scalar>
@@ -74,4 +74,4 @@ template <typename Scalar>
   return increment;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

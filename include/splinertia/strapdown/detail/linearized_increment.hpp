@@ -7,7 +7,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// A step and its derivatives, all 3×3. With δω added to the rate and δf to the force,
 ///   ΔR becomes ΔR exp(R_w δω),  Δv becomes Δv + v_w δω + v_f δf,  Δp becomes Δp + p_w δω + p_f δf
@@ -100,4 +100,4 @@ template <typename Scheme, typename Scalar, typename Window>
   });
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -25,7 +25,8 @@ class SampleStamps {
   SampleStamps(Time start, const GapOptions<Scalar>& gaps, int intervals)
       : last_(start), origin_(start), gaps_(gaps), intervals_(intervals) {
     if (!is_finite(start)) {
-      refuse<std::invalid_argument>("integrate: the initial time is ", printable(start), ", expected a finite number");
+      refuse<std::invalid_argument>("integrate: the initial time is ", seconds_or_ticks(start),
+                                    ", expected a finite number");
     }
     if (gaps.longest && ((finite_math_only && !is_finite(*gaps.longest)) || !(*gaps.longest > Scalar(0)))) {
       refuse<std::invalid_argument>("integrate: the longest interval is ", *gaps.longest, " s, expected one > 0");
@@ -50,13 +51,14 @@ class SampleStamps {
   /// the last one or too far from it for the type of time, and for a gap that is refused.
   [[nodiscard]] SampleStamps judged(Time time, std::size_t index, std::size_t intervals) const {
     if (!is_finite(time) || !(time > last_)) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", printable(time), ", expected a time after ",
-                                    printable(last_));
+      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", seconds_or_ticks(time),
+                                    ", expected a time after ", seconds_or_ticks(last_));
     }
     const Time difference = time_between(last_, time);
     if (difference > largest()) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", printable(time), ", the one before at ",
-                                    printable(last_), ": their difference does not fit the type of time");
+      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", seconds_or_ticks(time),
+                                    ", the one before at ", seconds_or_ticks(last_),
+                                    ": their difference does not fit the type of time");
     }
     SampleStamps result = begun();
     if (gaps_.longest) {
@@ -78,7 +80,7 @@ class SampleStamps {
   void judge_by_longest(Time time, const Scalar& interval, std::size_t index) {
     if (!(interval > *gaps_.longest)) return;
     if (gaps_.policy == GapPolicy::refuse) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " at ", printable(time), " comes ", interval,
+      refuse<std::invalid_argument>("integrate: sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
                                     " s after the one before, expected at most ", *gaps_.longest, " s");
     }
     ++bridged_;
@@ -93,7 +95,7 @@ class SampleStamps {
     const Scalar mean = to_seconds<Scalar>(time_between(origin_, last_)) / Scalar(static_cast<double>(intervals));
     if (intervals == 1 && mean > least && mean > many * interval) {  // then the first one was the gap
       if (gaps_.policy == GapPolicy::refuse) {
-        refuse<std::invalid_argument>("integrate: sample ", index - 1, " at ", printable(last_), " comes ", mean,
+        refuse<std::invalid_argument>("integrate: sample ", index - 1, " at ", seconds_or_ticks(last_), " comes ", mean,
                                       " s after the one before, sample ", index, " only ", interval, " s after it",
                                       way_out);
       }
@@ -108,7 +110,7 @@ class SampleStamps {
     }
     if (!(interval > longest + rounding)) return;
     if (gaps_.policy == GapPolicy::refuse) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " at ", printable(time), " comes ", interval,
+      refuse<std::invalid_argument>("integrate: sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
                                     " s after the one before, expected at most ", longest, " s", way_out);
     }
     ++bridged_;

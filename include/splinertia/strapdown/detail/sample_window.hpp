@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/imu/imu_sample.hpp>
@@ -19,7 +20,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The window of samples that a scheme looks at, and its progress: the part of an integration that needs no state. It
 /// calls `take(window, from, time)` for each step that the samples allow; `time` is the end of the step. It uses no
@@ -49,7 +50,7 @@ class SampleWindow {
   /// refused. Then nothing has changed.
   template <typename AnySample>
     requires(!takes_increments && ImuSampleOf<AnySample, Scalar, Time>)
-  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
+  SPLINERTIA_ALWAYS_INLINE void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
     check(time, any.gyro, any.accel);
     append({time, any.gyro, any.accel});
@@ -59,7 +60,7 @@ class SampleWindow {
   /// Adds an increment; the first one begins at the start. Throws as above.
   template <typename AnySample>
     requires(takes_increments && ImuIncrementOf<AnySample, Scalar, Time>)
-  [[gnu::always_inline]] void push(const AnySample& any, const auto& take) {
+  SPLINERTIA_ALWAYS_INLINE void push(const AnySample& any, const auto& take) {
     const Time time = any.time;
     check(time, any.delta_angle, any.delta_velocity);
     append({{any.delta_angle, any.delta_velocity, stamps_.since_last(time)}, time});
@@ -86,16 +87,16 @@ class SampleWindow {
 
  private:
   static constexpr std::size_t window = Scheme::window;
-  using Stamps = detail::SampleStamps<Scalar, Time>;
+  using Stamps = SampleStamps<Scalar, Time>;
 
-  [[gnu::always_inline]] void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+  SPLINERTIA_ALWAYS_INLINE void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
     using std::abs;
     if constexpr (Scheme::needs_equal_intervals) {
       // A deviation of 1 % causes an error of 1 % of the correction, which is itself small. Stamps jitter by less.
       const Scalar interval = stamps_.since_last(time), expected = samples_.back().interval;
       if (pushed_ > 0 && time > last() && !(abs(interval - expected) <= expected / Scalar(100))) {
-        refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " comes ", interval,
-                                      " s after the one before, expected ", expected,
+        refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " comes ",
+                                      interval, " s after the one before, expected ", expected,
                                       " s: the scheme needs equal intervals");
       }
     }
@@ -117,15 +118,15 @@ class SampleWindow {
   }
 
   // Not inlined, because it is rare.
-  [[gnu::noinline, gnu::cold]] void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+  SPLINERTIA_COLD void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
     Stamps stamps = stamps_;
     if (takes_increments || pushed_ > 0) {
       stamps = stamps_.judged(time, pushed_, takes_increments ? pushed_ : pushed_ - 1);
     } else if (is_finite(time) && time == last()) {
       stamps = stamps_.begun();
     } else {
-      refuse<std::invalid_argument>("integrate: the first sample is at ", printable(time), ", the initial state at ",
-                                    printable(last()), ", expected the same time");
+      refuse<std::invalid_argument>("integrate: the first sample is at ", seconds_or_ticks(time),
+                                    ", the initial state at ", seconds_or_ticks(last()), ", expected the same time");
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
       check_reading(rate[i], takes_increments ? "delta_angle" : "gyro", i, time);
@@ -136,12 +137,12 @@ class SampleWindow {
 
   void check_reading(const Scalar& reading, const char* sensor, Eigen::Index axis, Time time) const {
     if (!is_finite(reading)) {
-      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
-                                    "] = ", reading, ", expected a finite number");
+      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " has ", sensor, '[',
+                                    axis, "] = ", reading, ", expected a finite number");
     }
     if (!(-most() <= reading && reading <= most())) {
-      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", printable(time), " has ", sensor, '[', axis,
-                                    "] = ", reading, ", expected at most ", most(), " in magnitude");
+      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " has ", sensor, '[',
+                                    axis, "] = ", reading, ", expected at most ", most(), " in magnitude");
     }
   }
 
@@ -155,7 +156,7 @@ class SampleWindow {
   // Intervals that no step has covered yet.
   [[nodiscard]] std::size_t waiting() const { return window - from_ - (takes_increments ? 0 : 1); }
 
-  [[gnu::always_inline]] void advance(const auto& take) {
+  SPLINERTIA_ALWAYS_INLINE void advance(const auto& take) {
     // The index of the sample or increment with which the next step begins.
     const std::size_t from = from_ - 1;
     // All steps but the first and the last ones begin at the same index.
@@ -189,4 +190,4 @@ class SampleWindow {
   std::size_t pushed_ = 0;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 #include <tuple>
 
@@ -43,8 +44,8 @@ using StencilWeights = std::array<std::array<Scalar, 4>, Wanted>;
 /// The weights w with Σ w_j f(s_j) = functional(c) for the polynomial c₀ + c₁s + c₂s² + c₃s³ through the samples of
 /// `nodes` (Lagrange). `functional` is linear in c and returns an array, which gets one set of weights per element.
 template <std::size_t Count, typename Scalar>
-[[nodiscard, gnu::always_inline]] inline auto lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
-                                                               const auto& functional) {
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline auto lagrange_weights(const std::array<Scalar, 4>& s, Nodes<Count> nodes,
+                                                                    const auto& functional) {
   using Coefficients = std::array<Scalar, 4>;
   constexpr std::size_t wanted = std::tuple_size_v<decltype(functional(Coefficients{}))>;
   const Scalar zero(0), one(1);

@@ -12,6 +12,8 @@ struct ImuBias {
   Vector3<Scalar> accel = Vector3<Scalar>::Zero();  ///< m/s²
 };
 
+namespace detail {
+
 /// Derivatives of a preintegrated motion with respect to the biases it was computed with, all 3×3:
 ///   ΔR(b + d) = ΔR exp(R_gyro d_gyro),  Δv(b + d) = Δv + v_gyro d_gyro + v_accel d_accel,  Δp likewise
 template <typename Scalar>
@@ -20,5 +22,7 @@ struct BiasJacobians {
   Matrix3<Scalar> v_gyro = Matrix3<Scalar>::Zero(), v_accel = Matrix3<Scalar>::Zero();
   Matrix3<Scalar> p_gyro = Matrix3<Scalar>::Zero(), p_accel = Matrix3<Scalar>::Zero();
 };
+
+}  // namespace detail
 
 }  // namespace splinertia

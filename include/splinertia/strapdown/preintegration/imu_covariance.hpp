@@ -9,7 +9,7 @@
 #include <splinertia/strapdown/detail/linearized_increment.hpp>
 #include <splinertia/strapdown/preintegration/bias_jacobians.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The covariance of a preintegrated motion, 15×15: of the residual r of preintegration_residual.hpp in attitude (rad),
 /// velocity (m/s) and position (m), and of the bias changes since the beginning, gyro (rad/s) and accel (m/s²).
@@ -108,4 +108,4 @@ class ImuCovariance {
   Scalar gyro_walk_ = Scalar(0), accel_walk_ = Scalar(0);
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

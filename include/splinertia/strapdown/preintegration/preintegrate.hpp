@@ -26,8 +26,6 @@ struct SampleScalar {
   using type = decltype(scalar(std::declval<const Sample&>()));
 };
 
-}  // namespace detail
-
 /// A range of ImuSamples or ImuIncrements.
 template <typename Samples>
 concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std::ranges::range_value_t<Samples>> ||
@@ -37,6 +35,8 @@ concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std
 template <ImuSampleRange Samples>
 using ScalarOfSamples = typename detail::SampleScalar<Samples>::type;
 
+}  // namespace detail
+
 /// The motion that samples have measured from `start` to the last of them (PreintegratedImu), with the biases
 /// subtracted:
 ///
@@ -45,12 +45,12 @@ using ScalarOfSamples = typename detail::SampleScalar<Samples>::type;
 ///
 /// Scheme and errors are those of Preintegrator. The first point sample has to be at `start`; the first increment
 /// begins there.
-template <typename Scheme, ImuSampleRange Samples, typename Noise = Noiseless>
-[[nodiscard]] auto preintegrate(TimeOf<std::ranges::range_value_t<Samples>> start, Samples&& samples,
-                                const ImuBias<ScalarOfSamples<Samples>>& bias = {}, const Noise& noise = {},
-                                const GapOptions<ScalarOfSamples<Samples>>& gaps = {}) {
-  using Time = TimeOf<std::ranges::range_value_t<Samples>>;
-  Preintegrator<Scheme, ScalarOfSamples<Samples>, Time, Noise> preintegrator(start, bias, noise, gaps);
+template <typename Scheme, detail::ImuSampleRange Samples, typename Noise = detail::Noiseless>
+[[nodiscard]] auto preintegrate(detail::TimeOf<std::ranges::range_value_t<Samples>> start, Samples&& samples,
+                                const ImuBias<detail::ScalarOfSamples<Samples>>& bias = {}, const Noise& noise = {},
+                                const GapOptions<detail::ScalarOfSamples<Samples>>& gaps = {}) {
+  using Time = detail::TimeOf<std::ranges::range_value_t<Samples>>;
+  Preintegrator<Scheme, detail::ScalarOfSamples<Samples>, Time, Noise> preintegrator(start, bias, noise, gaps);
   for (const auto& sample : samples) preintegrator.push(sample);
   preintegrator.finish();
   return preintegrator.result();
@@ -61,15 +61,16 @@ template <typename Scheme, ImuSampleRange Samples, typename Noise = Noiseless>
 ///   preintegrate<Midpoint>(samples, bias, imu_noise(presets::euroc))
 ///
 /// Throws std::invalid_argument if there are none.
-template <typename Scheme, ImuSampleRange Samples, typename Noise = Noiseless>
+template <typename Scheme, detail::ImuSampleRange Samples, typename Noise = detail::Noiseless>
   requires ImuSampleLike<std::ranges::range_value_t<Samples>>
-[[nodiscard]] auto preintegrate(Samples&& samples, const ImuBias<ScalarOfSamples<Samples>>& bias = {},
-                                const Noise& noise = {}, const GapOptions<ScalarOfSamples<Samples>>& gaps = {}) {
-  using Time = TimeOf<std::ranges::range_value_t<Samples>>;
+[[nodiscard]] auto preintegrate(Samples&& samples, const ImuBias<detail::ScalarOfSamples<Samples>>& bias = {},
+                                const Noise& noise = {},
+                                const GapOptions<detail::ScalarOfSamples<Samples>>& gaps = {}) {
+  using Time = detail::TimeOf<std::ranges::range_value_t<Samples>>;
   auto sample = std::ranges::begin(samples);
   const auto end = std::ranges::end(samples);
-  if (sample == end) refuse<std::invalid_argument>("preintegrate: no samples, expected at least one");
-  Preintegrator<Scheme, ScalarOfSamples<Samples>, Time, Noise> preintegrator((*sample).time, bias, noise, gaps);
+  if (sample == end) detail::refuse<std::invalid_argument>("preintegrate: no samples, expected at least one");
+  Preintegrator<Scheme, detail::ScalarOfSamples<Samples>, Time, Noise> preintegrator((*sample).time, bias, noise, gaps);
   for (; sample != end; ++sample) preintegrator.push(*sample);
   preintegrator.finish();
   return preintegrator.result();

@@ -12,8 +12,12 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// Placeholder for "no noise": no covariance is computed.
 struct Noiseless {};
+
+}  // namespace detail
 
 /// Preintegrates the samples of an IMU one at a time, without heap:
 ///
@@ -27,14 +31,14 @@ struct Noiseless {};
 /// Scheme has to be one that can be linearized: ZeroOrderHold, Euler, Midpoint, Trapezoid or Magnus4 for point samples,
 /// RotationCorrectedIncrements or TwoSampleIncrements for increments. With Noiseless, the default, there is no
 /// covariance.
-template <typename Scheme, typename Scalar = double, TimePoint Time = double, typename Noise = Noiseless>
+template <typename Scheme, typename Scalar = double, TimePoint Time = double, typename Noise = detail::Noiseless>
   requires IntegrationScheme<Scheme, Scalar, Time> &&
-           LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>
+           detail::LinearizableScheme<Scheme, Scalar, detail::SchemeWindow<Scheme, Scalar, Time>>
 class Preintegrator {
-  static constexpr bool has_noise = !std::is_same_v<Noise, Noiseless>;
+  static constexpr bool has_noise = !std::is_same_v<Noise, detail::Noiseless>;
 
  public:
-  using Covariance = std::conditional_t<has_noise, ImuCovariance<Scalar>, NoCovariance>;
+  using Covariance = std::conditional_t<has_noise, detail::ImuCovariance<Scalar>, detail::NoCovariance>;
   using Result = PreintegratedImu<Scalar, Covariance>;
 
   /// Throws std::invalid_argument for a start or a bias that is not finite, for noise that is not finite or < 0, and
@@ -42,13 +46,13 @@ class Preintegrator {
   explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
                          const GapOptions<Scalar>& gaps = {})
       : result_(bias), noise_(noise), window_(start, gaps) {
-    require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
-    require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
+    detail::require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
+    detail::require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
     if constexpr (has_noise) {
-      require_non_negative("preintegrate", "the gyroscope's noise density", noise.gyro_density);
-      require_non_negative("preintegrate", "the accelerometer's noise density", noise.accel_density);
-      require_non_negative("preintegrate", "the random walk of the gyroscope's bias", noise.gyro_walk);
-      require_non_negative("preintegrate", "the random walk of the accelerometer's bias", noise.accel_walk);
+      detail::require_non_negative("preintegrate", "the gyroscope's noise density", noise.gyro_density);
+      detail::require_non_negative("preintegrate", "the accelerometer's noise density", noise.accel_density);
+      detail::require_non_negative("preintegrate", "the random walk of the gyroscope's bias", noise.gyro_walk);
+      detail::require_non_negative("preintegrate", "the random walk of the accelerometer's bias", noise.accel_walk);
     }
   }
 
@@ -61,7 +65,7 @@ class Preintegrator {
   template <typename Sample>
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();
-    if constexpr (!check_sample<Scheme, Scalar, Time, Sample>()) {
+    if constexpr (!detail::check_sample<Scheme, Scalar, Time, Sample>()) {
       // check_sample() has already given the error message.
     } else if constexpr (Scheme::takes_increments) {
       const Scalar h = window_.since_last(sample.time);
@@ -82,7 +86,7 @@ class Preintegrator {
  private:
   [[nodiscard]] auto step() {
     return [this](const auto& samples, std::size_t from, Time) {
-      const auto step = linearize_step<Scheme, Scalar>(samples, from);
+      const auto step = detail::linearize_step<Scheme, Scalar>(samples, from);
       if constexpr (has_noise) {
         result_.append(step, Covariance(step, noise_));
       } else {
@@ -93,12 +97,12 @@ class Preintegrator {
 
   Result result_;
   [[no_unique_address]] Noise noise_;
-  SampleWindow<Scheme, Scalar, Time> window_;
+  detail::SampleWindow<Scheme, Scalar, Time> window_;
 };
 
 template <typename Scheme, TimePoint Time>
 Preintegrator(Scheme, Time) -> Preintegrator<Scheme, double, Time>;
-template <typename Scheme, TimePoint Time, typename Scalar, typename Noise = Noiseless>
+template <typename Scheme, TimePoint Time, typename Scalar, typename Noise = detail::Noiseless>
 Preintegrator(Scheme, Time, const ImuBias<Scalar>&, const Noise& = {},
               const GapOptions<std::type_identity_t<Scalar>>& = {}) -> Preintegrator<Scheme, Scalar, Time, Noise>;
 

@@ -14,6 +14,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// State j without the effect of the world's rotation since state i.
 template <typename Scalar, TimePoint Time>
 [[nodiscard]] NavState<Scalar, Time> without_rotation(const NavState<Scalar, Time>& j, const NavState<Scalar, Time>& i,
@@ -25,33 +27,36 @@ template <typename Scalar, TimePoint Time>
           j.v_WB - (turning.v_WB - inertial.v_WB), j.p_WB - (turning.p_WB - inertial.p_WB), j.time};
 }
 
+}  // namespace detail
+
 template <typename Scalar, typename Covariance, TimePoint Time>
-[[nodiscard]] PreintegrationResidual<Scalar> preintegration_residual(
+[[nodiscard]] detail::PreintegrationResidual<Scalar> preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
     const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
     const RotatingFrame<Scalar>& frame) {
-  return preintegration_residual(imu, i, bias_i, without_rotation(j, i, imu.corrected(bias_i), gravity, frame), bias_j,
-                                 gravity);
+  return preintegration_residual(imu, i, bias_i, detail::without_rotation(j, i, imu.corrected(bias_i), gravity, frame),
+                                 bias_j, gravity);
 }
 
 template <typename Scalar, typename Covariance, TimePoint Time>
-[[nodiscard]] LinearizedPreintegrationResidual<Scalar> linearize_preintegration_residual(
+[[nodiscard]] detail::LinearizedPreintegrationResidual<Scalar> linearize_preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
     const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
     const RotatingFrame<Scalar>& frame) {
-  const NavIncrement<Scalar> delta = imu.corrected(bias_i);
-  auto result =
-      linearize_preintegration_residual(imu, i, bias_i, without_rotation(j, i, delta, gravity, frame), bias_j, gravity);
+  const detail::NavIncrement<Scalar> delta = imu.corrected(bias_i);
+  auto result = linearize_preintegration_residual(imu, i, bias_i, detail::without_rotation(j, i, delta, gravity, frame),
+                                                  bias_j, gravity);
   // With u = R_i Δv and w = R_i Δp: c_p = −h Ω × (h v_i + w + …), c_v = −Ω × (h u − w + 2 (h v_i + w + c_p + …)).
   // The residual changes by −R_iᵀ times the change of c_p and c_v.
   const Scalar h = delta.interval;
   const Matrix3<Scalar> R = i.R_WB.unit_quaternion().toRotationMatrix();
-  const Matrix3<Scalar> turn = hat<Scalar>(frame.rate), identity = Matrix3<Scalar>::Identity();
+  const Matrix3<Scalar> turn = detail::hat<Scalar>(frame.rate), identity = Matrix3<Scalar>::Identity();
   const Matrix3<Scalar> p_w = -h * turn, p_v = h * p_w;
   const Matrix3<Scalar> v_u = -h * turn, v_w = -turn * (identity + Scalar(2) * p_w),
                         v_v = -Scalar(2) * turn * (h * identity + p_v);
-  const Matrix3<Scalar> u_phi = -R * hat<Scalar>(delta.velocity), w_phi = -R * hat<Scalar>(delta.position);
-  const BiasJacobians<Scalar>& J = imu.jacobians();
+  const Matrix3<Scalar> u_phi = -R * detail::hat<Scalar>(delta.velocity),
+                        w_phi = -R * detail::hat<Scalar>(delta.position);
+  const detail::BiasJacobians<Scalar>& J = imu.jacobians();
   const Matrix3<Scalar> back = -R.transpose();
   result.state_i.template block<3, 3>(3, 0) += back * (v_u * u_phi + v_w * w_phi);
   result.state_i.template block<3, 3>(3, 3) += back * v_v;

@@ -13,9 +13,9 @@ namespace splinertia {
 /// Treats increments as if the axes did not turn: ΔR = exp(Δθ), Δv as measured, Δp = Δv h/2. Order 1.
 struct UncorrectedIncrements : IncrementScheme<1> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const StepMean<Scalar>& step = window[from];
-    return {rotation_exp<Scalar>(step.phi), step.nu, step.nu * (step.interval / Scalar(2)), step.interval};
+    return {detail::rotation_exp<Scalar>(step.phi), step.nu, step.nu * (step.interval / Scalar(2)), step.interval};
   }
 };
 
@@ -35,7 +35,7 @@ struct RotationCorrectedIncrements : IncrementScheme<1> {
 /// interval, and the order is 2 as in RotationCorrectedIncrements. Miller, JGCD 6 (1983); Savage, JGCD 21 (1998).
 struct TwoSampleIncrements : IncrementScheme<3, 2> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::StepMoments<Scalar> moments(const Window& window, std::size_t from) {
     const StepMean<Scalar>& last = window[2];
     const bool full = window[0].interval > Scalar(0);
     if (from == 2 && !full) {
@@ -87,14 +87,14 @@ struct ThreeSampleIncrements : IncrementScheme<3> {
   static constexpr bool needs_equal_intervals = true;
 
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
-    if (from > 0) return increment_from(TwoSampleIncrements::moments<Scalar>(window, from));
-    const auto as_vector = [](const StepMean<Scalar>& step) -> GalileanVector<Scalar> {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+    if (from > 0) return detail::increment_from(TwoSampleIncrements::moments<Scalar>(window, from));
+    const auto as_vector = [](const StepMean<Scalar>& step) -> detail::GalileanVector<Scalar> {
       return {step.phi, step.nu, Vector3<Scalar>::Zero(), step.interval};
     };
     const auto first = as_vector(window[0]), second = as_vector(window[1]), third = as_vector(window[2]);
-    return galilean_exp(first + second + third + bracket(first, third) * (Scalar(9) / Scalar(20)) +
-                        bracket(second, third - first) * (Scalar(27) / Scalar(40)));
+    return detail::galilean_exp(first + second + third + detail::bracket(first, third) * (Scalar(9) / Scalar(20)) +
+                                detail::bracket(second, third - first) * (Scalar(27) / Scalar(40)));
   }
 };
 

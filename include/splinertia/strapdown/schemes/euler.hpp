@@ -11,19 +11,19 @@ namespace splinertia {
 ///   ΔR = exp(ω₀ h),  Δv = f₀ h,  Δp = f₀ h²/2
 struct Euler : PointScheme<2> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const auto& sample = window[from];
     const Scalar h = step_interval<Scalar>(window, from);
     const Vector3<Scalar> velocity = sample.accel * h;
-    return {rotation_exp<Scalar>(sample.gyro * h), velocity, velocity * (h / Scalar(2)), h};
+    return {detail::rotation_exp<Scalar>(sample.gyro * h), velocity, velocity * (h / Scalar(2)), h};
   }
 
   template <typename Scalar, typename Window>
-  [[nodiscard]] static LinearizedIncrement<Scalar> linearize(const Window& window, std::size_t from) {
-    LinearizedIncrement<Scalar> result;
+  [[nodiscard]] static detail::LinearizedIncrement<Scalar> linearize(const Window& window, std::size_t from) {
+    detail::LinearizedIncrement<Scalar> result;
     result.value = increment<Scalar>(window, from);
     const Scalar h = result.value.interval;
-    result.R_w = h * rotation_left_jacobian<Scalar>(window[from].gyro * -h);
+    result.R_w = h * detail::rotation_left_jacobian<Scalar>(window[from].gyro * -h);
     result.v_w.setZero();
     result.v_f = h * Matrix3<Scalar>::Identity();
     result.p_w.setZero();

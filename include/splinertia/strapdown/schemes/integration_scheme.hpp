@@ -12,6 +12,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The window of samples that is passed to a scheme.
 template <typename Scheme, typename Scalar, typename Time>
 using SchemeWindow = std::array<typename SampleWindow<Scheme, Scalar, Time>::Sample, Scheme::window>;
@@ -26,11 +28,15 @@ concept PointOrIncrementScheme = requires {
   { Scheme::lead } -> std::convertible_to<std::size_t>;
 };
 
+}  // namespace detail
+
 /// A scheme: also has moments() or increment() as described in scheme.hpp.
 template <typename Scheme, typename Scalar, typename Time>
-concept IntegrationScheme =
-    PointOrIncrementScheme<Scheme> && (HasMoments<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>> ||
-                                       HasIncrement<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>);
+concept IntegrationScheme = detail::PointOrIncrementScheme<Scheme> &&
+                            (detail::HasMoments<Scheme, Scalar, detail::SchemeWindow<Scheme, Scalar, Time>> ||
+                             detail::HasIncrement<Scheme, Scalar, detail::SchemeWindow<Scheme, Scalar, Time>>);
+
+namespace detail {
 
 /// Whether S is what the scheme takes: point samples or increments.
 template <typename S, typename Scheme, typename Scalar, typename Time>
@@ -54,5 +60,7 @@ constexpr bool check_sample() {
                 "them Eigen 3-vectors of the integration's scalar");
   return good;
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/strapdown/detail/stencil.hpp>
 #include <splinertia/strapdown/schemes/scheme.hpp>
 
@@ -23,7 +24,7 @@ namespace splinertia {
 /// jumps at knots. For samples of one, and with noise, this scheme is no better than Midpoint.
 struct Magnus4 : PointScheme<4, 1, 1> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static StepMoments<Scalar> moments(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::StepMoments<Scalar> moments(const Window& window, std::size_t from) {
     const Scalar h = step_interval<Scalar>(window, from);
     if (from != 1 || !regular<Scalar>(window, h)) [[unlikely]]
       return moments_anywhere<Scalar>(window, from, h);
@@ -91,11 +92,11 @@ struct Magnus4 : PointScheme<4, 1, 1> {
  private:
   // The first and the last steps of a run, and irregular ones; not inlined, because they are rare.
   template <typename Scalar, typename Window>
-  [[nodiscard, gnu::noinline, gnu::cold]] static StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
-                                                                                      Scalar h) {
+  [[nodiscard]] SPLINERTIA_COLD static detail::StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
+                                                                                    Scalar h) {
     const Weights<Scalar> w = weights<Scalar>(window, from, h);
-    StepMoments<Scalar> m{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(),
-                          Vector3<Scalar>::Zero(), h};
+    detail::StepMoments<Scalar> m{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(),
+                                  Vector3<Scalar>::Zero(), h};
     for (std::size_t j = 0; j < 4; ++j) {
       m.phi += w.mean[j] * window[j].gyro;
       m.nu += w.mean[j] * window[j].accel;

@@ -9,6 +9,8 @@
 
 namespace splinertia {
 
+namespace detail {
+
 /// The motion over h by the classical Runge–Kutta method of order 4, from rate (gyro) and force (accel) at the
 /// beginning, middle and end. The attitude is integrated in the Lie algebra, φ' = J_r⁻¹(φ) ω (Munthe-Kaas), with
 /// J_r⁻¹ ≈ I + φ^/2 + φ^²/12, whose next term contributes at fifth order. The exponential of φ is exact.
@@ -34,17 +36,19 @@ template <typename Scalar>
   return {rotation, (accel[0] + (a2 + a3) * Scalar(2) + a4) * sixth, (accel[0] + a2 + a3) * (sixth * h), h};
 }
 
+}  // namespace detail
+
 /// The Runge–Kutta method of order 4 with linear interpolation between the two samples of a step, as in many
 /// estimators. The interpolation limits it to order 2.
 struct RungeKutta4 : PointScheme<2> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const auto& first = window[from];
     const auto& second = window[from + 1];
     const Scalar half = Scalar(1) / Scalar(2);
-    return runge_kutta4_step<Scalar>({first.gyro, (first.gyro + second.gyro) * half, second.gyro},
-                                     {first.accel, (first.accel + second.accel) * half, second.accel},
-                                     step_interval<Scalar>(window, from));
+    return detail::runge_kutta4_step<Scalar>({first.gyro, (first.gyro + second.gyro) * half, second.gyro},
+                                             {first.accel, (first.accel + second.accel) * half, second.accel},
+                                             step_interval<Scalar>(window, from));
   }
 };
 
@@ -59,15 +63,15 @@ struct RungeKutta4 : PointScheme<2> {
 /// factor of three nearly all do. A run of two samples is integrated with the line, one of three with the parabola.
 struct RungeKutta4DoubleStep : PointScheme<4, 2> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const std::size_t end = from == 2 ? 3 : from + 2;
     const Scalar h = to_seconds<Scalar>(window[end].time - window[from].time);
     const Scalar offset = step_interval<Scalar>(window, from) - h / Scalar(2);  // of the sample in between
     using std::abs;
     if (abs(offset) <= h * Scalar(1e-9F)) {
       const auto& sample = window[from + 1];
-      return runge_kutta4_step<Scalar>({window[from].gyro, sample.gyro, window[end].gyro},
-                                       {window[from].accel, sample.accel, window[end].accel}, h);
+      return detail::runge_kutta4_step<Scalar>({window[from].gyro, sample.gyro, window[end].gyro},
+                                               {window[from].accel, sample.accel, window[end].accel}, h);
     }
     const Scalar zero(0);
     const std::size_t line = from == 2 || offset > zero ? from : from + 1;
@@ -79,8 +83,8 @@ struct RungeKutta4DoubleStep : PointScheme<4, 2> {
         w[0] * window[0].gyro + w[1] * window[1].gyro + w[2] * window[2].gyro + w[3] * window[3].gyro;
     const Vector3<Scalar> accel =
         w[0] * window[0].accel + w[1] * window[1].accel + w[2] * window[2].accel + w[3] * window[3].accel;
-    return runge_kutta4_step<Scalar>({window[from].gyro, gyro, window[end].gyro},
-                                     {window[from].accel, accel, window[end].accel}, h);
+    return detail::runge_kutta4_step<Scalar>({window[from].gyro, gyro, window[end].gyro},
+                                             {window[from].accel, accel, window[end].accel}, h);
   }
 };
 

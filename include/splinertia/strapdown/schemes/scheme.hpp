@@ -50,6 +50,8 @@ struct StepMean {
   Scalar interval;
 };
 
+namespace detail {
+
 /// The same with first moments: φ₁ = ∫sω dt/h, ν₁ = ∫sf dt/h, where s is the time from the middle of the step.
 template <typename Scalar>
 struct StepMoments {
@@ -98,5 +100,7 @@ template <typename Scheme, typename Scalar, typename Window>
     }
   });
 }
+
+}  // namespace detail
 
 }  // namespace splinertia

@@ -11,25 +11,25 @@ namespace splinertia {
 /// Qin, Li, Shen, "VINS-Mono", IEEE TRO 34 (2018), (7), with the exponential instead of a first-order quaternion.
 struct Trapezoid : PointScheme<2> {
   template <typename Scalar, typename Window>
-  [[nodiscard]] static NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
+  [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const auto& first = window[from];
     const auto& second = window[from + 1];
     const Scalar h = step_interval<Scalar>(window, from);
     const Scalar half = h / Scalar(2);
-    const auto rotation = rotation_exp<Scalar>((first.gyro + second.gyro) * half);
-    const Vector3<Scalar> velocity = (first.accel + rotate<Scalar>(rotation, second.accel)) * half;
+    const auto rotation = detail::rotation_exp<Scalar>((first.gyro + second.gyro) * half);
+    const Vector3<Scalar> velocity = (first.accel + detail::rotate<Scalar>(rotation, second.accel)) * half;
     return {rotation, velocity, velocity * half, h};
   }
 
   template <typename Scalar, typename Window>
-  [[nodiscard]] static LinearizedIncrement<Scalar> linearize(const Window& window, std::size_t from) {
-    LinearizedIncrement<Scalar> result;
+  [[nodiscard]] static detail::LinearizedIncrement<Scalar> linearize(const Window& window, std::size_t from) {
+    detail::LinearizedIncrement<Scalar> result;
     result.value = increment<Scalar>(window, from);
     const Scalar h = result.value.interval, half = h / Scalar(2);
     const Vector3<Scalar> phi = (window[from].gyro + window[from + 1].gyro) * half;
     const Matrix3<Scalar> R = result.value.rotation.toRotationMatrix();
-    result.R_w = h * rotation_left_jacobian<Scalar>(-phi);
-    result.v_w = -half * R * hat<Scalar>(window[from + 1].accel) * result.R_w;
+    result.R_w = h * detail::rotation_left_jacobian<Scalar>(-phi);
+    result.v_w = -half * R * detail::hat<Scalar>(window[from + 1].accel) * result.R_w;
     result.v_f = half * (Matrix3<Scalar>::Identity() + R);
     result.p_w = half * result.v_w;
     result.p_f = half * result.v_f;

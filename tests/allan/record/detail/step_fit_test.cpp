@@ -8,7 +8,9 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 namespace {
 

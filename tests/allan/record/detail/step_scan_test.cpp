@@ -8,7 +8,9 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 
 namespace {
 
@@ -64,10 +66,10 @@ TEST_CASE("a parabola has no candidates, a step has") {
   const auto found = StepScan(means, 1e-4, 0).candidates();
   REQUIRE_FALSE(found.empty());
   for (const StepCandidate& candidate : found) {
-    CHECK(std::abs(candidate.place - 1234) < 2 * candidate.width);
+    CHECK(std::abs(candidate.center - 1234) < 2 * candidate.width);
     CHECK(candidate.excess >= 1);
-    CHECK(candidate.place >= candidate.before);
-    CHECK(candidate.place + candidate.after <= 4000);
+    CHECK(candidate.center >= candidate.before);
+    CHECK(candidate.center + candidate.after <= 4000);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {
@@ -42,7 +43,7 @@ G hand(double t) {
 
 G still(double) { return {Sophus::SO3d::exp({0.3, 1, -0.7}), Eigen::Vector3d(1, -2, 0.5)}; }
 
-G moved(const G& pose, const Eigen::Vector3d& by) { return {pose.get<0>(), Eigen::Vector3d(pose.get<1>() + by)}; }
+G retracted(const G& pose, const Eigen::Vector3d& by) { return {pose.get<0>(), Eigen::Vector3d(pose.get<1>() + by)}; }
 
 }  // namespace
 
@@ -68,7 +69,7 @@ TEST_CASE("Wrong poses at the end are beyond the jump") {
     auto poses = poses_of(hand, 30, 200, 0.01);
     for (std::size_t i = 200 - wrong; i < 200; ++i) {
       const double k = static_cast<double>(i);
-      poses[i].value = moved(poses[i].value, {6 * std::cos(k), 6 * std::sin(k), 1});
+      poses[i].value = retracted(poses[i].value, {6 * std::cos(k), 6 * std::sin(k), 1});
     }
     CHECK(poses_between_jumps(poses) == Pair{0, 199 - wrong});
   }
@@ -77,7 +78,7 @@ TEST_CASE("Wrong poses at the end are beyond the jump") {
   CHECK(poses_between_jumps(turned) == Pair{0, 198});
   auto both = poses_of(hand, 30, 200, 1e-3);
   both.front().value = G();
-  both.back().value = moved(both.back().value, {0, 3, 0});
+  both.back().value = retracted(both.back().value, {0, 3, 0});
   CHECK(poses_between_jumps(both) == Pair{1, 198});
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("Motions are no jumps") {
   // Starts and stops: 5 m/s² from rest, in the last 0.3 s; a blow of 30 m/s² for 20 ms at the end.
   const auto start = [](double t) {
     const double s = std::max(0., t - 2.7);
-    return moved(still(t), {2.5 * s * s, 0, 0});
+    return retracted(still(t), {2.5 * s * s, 0, 0});
   };
   // At a steady speed and turn, from rest.
   const auto drive = [](double t) {
@@ -99,7 +100,7 @@ TEST_CASE("Motions are no jumps") {
   };
   const auto blow = [](double t) {
     const double s = std::max(0., t - 2.98);
-    return moved(still(t), {0, 0, 15 * s * s});
+    return retracted(still(t), {0, 0, 15 * s * s});
   };
   for (const double noise : {0., 1e-5, 1e-3, 1e-2}) {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -124,9 +125,9 @@ TEST_CASE("Motions are no jumps") {
 
 TEST_CASE("Jumps in the middle, and outliers there, are not of the ends") {
   auto poses = poses_of(hand, 100, 300, 1e-3);
-  for (std::size_t i = 150; i < 300; ++i) poses[i].value = moved(poses[i].value, {1, 0, 0});
+  for (std::size_t i = 150; i < 300; ++i) poses[i].value = retracted(poses[i].value, {1, 0, 0});
   CHECK(poses_between_jumps(poses) == Pair{0, 299});
-  for (std::size_t i = 30; i < 270; i += 97) poses[i].value = moved(poses[i].value, {0, 5, 0});
+  for (std::size_t i = 30; i < 270; i += 97) poses[i].value = retracted(poses[i].value, {0, 5, 0});
   CHECK(poses_between_jumps(poses) == Pair{0, 299});
 }
 
@@ -140,11 +141,11 @@ TEST_CASE("Uneven stamps and holes are no jumps") {
 TEST_CASE("Few poses have no ends to lose") {
   for (int count = 2; count < 8; ++count) {
     auto poses = poses_of(hand, 100, count, 0);
-    poses.back().value = moved(poses.back().value, {6, 0, 0});
+    poses.back().value = retracted(poses.back().value, {6, 0, 0});
     CHECK(poses_between_jumps(poses) == Pair{0, static_cast<std::size_t>(count) - 1});
   }
   auto eight = poses_of(hand, 100, 8, 0);
-  eight.back().value = moved(eight.back().value, {6, 0, 0});
+  eight.back().value = retracted(eight.back().value, {6, 0, 0});
   CHECK(poses_between_jumps(eight) == Pair{0, 6});
   CHECK(poses_between_jumps(poses_of(still, 100, 50, 0)) == Pair{0, 49});
 }

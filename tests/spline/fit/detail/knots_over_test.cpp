@@ -13,6 +13,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 using testing::message_of;
 

@@ -10,6 +10,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -18,7 +19,7 @@ using Number = Eigen::Matrix<double, 1, 1>;
 const Convergence<double> to_rounding{.relative = 0, .absolute = 1e-24, .most_iterations = 200};
 
 struct OnNumbers {
-  [[nodiscard]] std::vector<double> moved(std::vector<double> x, const Line::Vector& step) const {
+  [[nodiscard]] std::vector<double> retracted(std::vector<double> x, const Line::Vector& step) const {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += step.blocks[i][0];
     return x;
   }

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// A change of the mean within a window of samples.
 struct StepFit {
@@ -58,10 +58,10 @@ class StepFitter {
   /// The change that begins and ends within `reach` samples of `place`, with levels from up to 2·`reach` samples on
   /// either side. Its error is infinite if a level has fewer than 16 samples. Nothing if the window has fewer than 32
   /// samples.
-  [[nodiscard]] std::optional<StepFit> fit(std::int64_t place, std::int64_t reach) const {
-    const Range range{(std::max)(least_side, place - reach), (std::min)(size_ - least_side, place + reach)};
+  [[nodiscard]] std::optional<StepFit> fit(std::int64_t center, std::int64_t reach) const {
+    const Range range{(std::max)(least_side, center - reach), (std::min)(size_ - least_side, center + reach)};
     if (range.size() < 0) return std::nullopt;
-    const double slope = slope_outside({place - reach, place + reach});
+    const double slope = slope_outside({center - reach, center + reach});
     const Located located = slope == 0 ? locate(range, reach) : StepFitter(window_, slope).locate(range, reach);
     if (located.is_knock)
       return StepFit{located.change.begin, located.change.duration, 0, 0, infinite, infinite, 0, true};
@@ -115,10 +115,10 @@ class StepFitter {
   }
 
   /// Whether the mean of the samples from a place on is above that of those before it.
-  [[nodiscard]] bool rises(Range samples, std::int64_t place) const {
-    const double before = at(sums_, place) - at(sums_, samples.begin),
-                 after = at(sums_, samples.end) - at(sums_, place);
-    return after * static_cast<double>(place - samples.begin) > before * static_cast<double>(samples.end - place);
+  [[nodiscard]] bool rises(Range samples, std::int64_t center) const {
+    const double before = at(sums_, center) - at(sums_, samples.begin),
+                 after = at(sums_, samples.end) - at(sums_, center);
+    return after * static_cast<double>(center - samples.begin) > before * static_cast<double>(samples.end - center);
   }
 
   /// The slope of the samples outside a range, 0 if it is less than three standard errors.
@@ -257,4 +257,4 @@ class StepFitter {
   std::vector<double> double_sums_;  ///< Σ of the first i sums
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

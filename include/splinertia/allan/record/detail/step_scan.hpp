@@ -12,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Block length of find_steps(): it averages this many samples before it looks for changes.
 inline constexpr std::int64_t step_block = 16;
@@ -22,7 +22,7 @@ inline constexpr double step_rounding = 1e-10;
 
 /// A place at which the means on both sides differ more than they usually do in this signal. All in blocks.
 struct StepCandidate {
-  std::int64_t place;   ///< first block after the change
+  std::int64_t center;  ///< first block after the change
   std::int64_t width;   ///< width of the compared windows
   std::int64_t before;  ///< blocks used before the place
   std::int64_t after;   ///< blocks used after it
@@ -51,9 +51,10 @@ struct StepCandidate {
 [[nodiscard]] inline double usual_size(std::vector<double>& magnitudes) {
   if (magnitudes.empty()) return 0;
   const auto quantile = [&](double share) {
-    const auto place = magnitudes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(magnitudes.size()));
-    std::nth_element(magnitudes.begin(), place, magnitudes.end());
-    return *place;
+    const auto center =
+        magnitudes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(magnitudes.size()));
+    std::nth_element(magnitudes.begin(), center, magnitudes.end());
+    return *center;
   };
   const double high = quantile(0.8) / 1.2816, middle = quantile(0.5) / 0.6745;
   const double size = (std::max)(high, middle);
@@ -198,4 +199,4 @@ class StepScan {
   std::vector<StepCandidate> candidates_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

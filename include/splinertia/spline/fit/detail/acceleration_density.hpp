@@ -9,11 +9,11 @@
 #include <iterator>
 #include <optional>
 #include <splinertia/group/lie_group.hpp>
-#include <splinertia/spline/fit/unmeasured_spans.hpp>
+#include <splinertia/spline/fit/detail/unmeasured_spans.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Times on both sides of a span, s from the start of the curve, nearest first.
 struct Anchors {
@@ -167,4 +167,4 @@ class AccelerationDensity {
   Tangent<G> largest_, noise_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The unknowns of a BandedSystem: a block of Dof numbers for each control point, and Border numbers that may couple
 /// with all of them.
@@ -262,4 +262,4 @@ template <typename System>
   return y;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

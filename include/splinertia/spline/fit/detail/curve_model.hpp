@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The curve with every control point X_i replaced by X_i ⊞ step_i = X_i exp(step_i).
 template <typename Curve>
-[[nodiscard]] Curve moved(const Curve& curve, const std::vector<Tangent<typename Curve::Group>>& step) {
+[[nodiscard]] Curve retracted(const Curve& curve, const std::vector<Tangent<typename Curve::Group>>& step) {
   using G = typename Curve::Group;
   std::vector<G> points = curve.control_points();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,12 +37,12 @@ class CurveModel {
     return std::apply([&](const auto&... term) { return (term.add(curve, system) + ...); }, terms_);
   }
 
-  [[nodiscard]] Curve moved(const Curve& curve, const typename System::Vector& step) const {
-    return splinertia::moved(curve, step.blocks);
+  [[nodiscard]] Curve retracted(const Curve& curve, const typename System::Vector& step) const {
+    return splinertia::detail::retracted(curve, step.blocks);
   }
 
  private:
   std::tuple<const Terms&...> terms_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

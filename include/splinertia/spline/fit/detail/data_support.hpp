@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The weights B_j = λ_j − λ_{j+1} of the Order control points of a segment.
 template <typename Scalar, int Order>
@@ -38,8 +38,8 @@ template <typename Curve>
                                                                    const PosesOf<Curve>& poses, const auto& counts) {
   constexpr int order = Curve::order;
   const auto weights_at = [&](auto time) {
-    const auto place = knots.template basis<double, order, 0>(time, control_points);
-    return std::pair(place.first, control_point_weights(place.basis));
+    const auto located = knots.template basis<double, order, 0>(time, control_points);
+    return std::pair(located.first, control_point_weights(located.basis));
   };
   std::vector<double> largest(control_points, 0.0);
   for (std::size_t s = 0; s + order <= control_points; ++s) {
@@ -92,4 +92,4 @@ template <typename Curve>
   return thin;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

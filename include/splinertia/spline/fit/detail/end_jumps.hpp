@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Indices of the first and the last pose between the jumps at the ends. An estimator that begins with identity poses,
 /// or a tracker that ends with a wrong pose, leaves up to 16 poses (at most an eighth of all) beyond a jump. A jump is
@@ -24,13 +24,13 @@ template <LieGroup G, TimePoint Time>
   std::pair<std::size_t, std::size_t> between{0, n - 1};
   if (reach < 1) return between;
   const auto at_an_end = [&](std::size_t i) { return i < reach || i + 1 + reach >= n; };
-  auto breaks = detail::breaks_between(poses);
+  auto breaks = breaks_between(poses);
   std::erase_if(breaks, [&](std::size_t i) { return !at_an_end(i); });
   if (breaks.empty()) return between;
 
   const double interval = median_interval(poses);
   std::vector<Tangent<G>> all;
-  for (std::size_t i = 0; i + 2 < n; ++i) all.push_back(detail::unexpected_step(poses, i, i + 1, interval));
+  for (std::size_t i = 0; i + 2 < n; ++i) all.push_back(unexpected_step(poses, i, i + 1, interval));
   Tangent<G> usual;
   std::vector<Scalar> values(all.size());
   // One wrong pose makes up to three large values.
@@ -43,11 +43,11 @@ template <LieGroup G, TimePoint Time>
   }
   for (const std::size_t i : breaks) {
     const std::size_t beside = i + 2 < n ? i + 1 : i - 1;
-    if (!(detail::unexpected_step(poses, i, beside, interval).array() > Scalar(10) * usual.array()).any()) continue;
+    if (!(unexpected_step(poses, i, beside, interval).array() > Scalar(10) * usual.array()).any()) continue;
     if (i < reach) between.first = i + 1;
     if (i + 1 + reach >= n) between.second = (std::min)(between.second, i);
   }
   return between;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// `pose` converted to the group G: itself, or the same three-dimensional pose.
 template <LieGroup G, LieGroup From>
@@ -44,9 +44,9 @@ template <typename Curve, StampedPoses Poses>
   for (const auto& pose : poses) {
     const std::size_t i = data.size();
     const Time time = as_time<Time>(pose.time);
-    if (!is_finite(pose.time)) fault(i, " is at time ", printable(pose.time), ", expected a finite number");
+    if (!is_finite(pose.time)) fault(i, " is at time ", seconds_or_ticks(pose.time), ", expected a finite number");
     if (i > 0 && !(time > data.back().time)) {
-      fault(i, " is at time ", printable(time), ", expected a time after ", printable(data.back().time),
+      fault(i, " is at time ", seconds_or_ticks(time), ", expected a time after ", seconds_or_ticks(data.back().time),
             ", that of the pose before it");
     }
     G value = as_group<G>(pose.value);
@@ -83,4 +83,4 @@ template <LieGroup G, typename Time>
   return GroupTraits<G>::compose(x0, GroupTraits<G>::exp(share * increment<G>(x0, x1)));
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -9,7 +9,7 @@
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Residuals of `curve` at the poses. Requires all poses within its domain. Poses for which counts(i) is false get a
 /// residual, but are excluded from the statistics.
@@ -76,4 +76,4 @@ template <typename Curve>
   return deviation;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Throws std::invalid_argument, naming the option, unless the options are valid for this number of poses.
 template <typename Curve>
@@ -126,9 +126,9 @@ template <typename Curve>
   }
   const auto domain = knots.domain(control_points, Curve::order);
   if (first < domain.start || poses.back().time > domain.end) {
-    refuse<std::invalid_argument>("fit: poses from ", printable(first), " to ", printable(last),
-                                  ", but the knots reach from ", printable(domain.start), " to ", printable(domain.end),
-                                  "; expected knots that cover all poses");
+    refuse<std::invalid_argument>("fit: poses from ", seconds_or_ticks(first), " to ", seconds_or_ticks(last),
+                                  ", but the knots reach from ", seconds_or_ticks(domain.start), " to ",
+                                  seconds_or_ticks(domain.end), "; expected knots that cover all poses");
   }
   return {std::move(knots), control_points};
 }
@@ -147,4 +147,4 @@ template <typename Curve>
   return Curve(std::move(knots), std::move(points));
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -9,7 +9,7 @@
 #include <splinertia/spline/fit/detail/banded_system.hpp>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The stopping criteria of minimize().
 template <typename Scalar>
@@ -54,7 +54,7 @@ Minimum<typename System::Scalar> minimize(const Model& model, State& state, Syst
     // |J δ|² ≤ δᵀb also holds for the damped step.
     const Scalar decrease = step.dot(system.right);
     const bool small = decrease <= until.absolute || decrease <= until.relative * result.cost;
-    State candidate = model.moved(state, step);
+    State candidate = model.retracted(state, step);
     next.clear();
     const Scalar cost = model.linearize(candidate, next);
     // Near the minimum the costs differ only by rounding, so a small step is accepted as the last one. But a step with
@@ -120,4 +120,4 @@ template <typename System>
          });
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -12,7 +12,7 @@
 #include <splinertia/time.hpp>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The median interval between neighbouring poses, s. Requires at least two poses.
 template <LieGroup G, TimePoint Time>
@@ -112,4 +112,4 @@ template <LieGroup G, TimePoint Time>
   return least;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

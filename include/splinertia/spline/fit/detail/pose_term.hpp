@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Calls f(first row, number of rows), both std::integral_constant, for each part of a tangent vector that has a norm
 /// of its own: the factors of a product, otherwise the whole vector.
@@ -26,7 +26,7 @@ template <typename... F>
 struct TangentParts<Product<F...>> {
   static void for_each(const auto& f) {
     using G = Product<F...>;
-    detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+    for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
       f(std::integral_constant<int, G::template offset<Index>>{}, std::integral_constant<int, DofOf<Factor>>{});
     });
   }
@@ -85,4 +85,4 @@ class PoseTerm {
   RobustLoss loss_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

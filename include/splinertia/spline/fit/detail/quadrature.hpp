@@ -8,7 +8,7 @@
 #include <numbers>
 #include <splinertia/time.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Gauss–Legendre quadrature: nodes on [0, 1] and weights, exact to degree 2n − 1. `derivative` is the matrix that maps
 /// the values of a polynomial of degree n − 1 at the nodes to its derivatives there.
@@ -85,4 +85,4 @@ template <TimePoint Time, typename Scalar>
   }
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -10,7 +10,7 @@
 #include <splinertia/spline/linearize.hpp>
 #include <splinertia/time.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The least-squares cost ∫ |x⁽ᵈ⁾/density|² dt over a span of a curve; d = 2 or 3, for order 2: d = 1. Exact for Rⁿ. On
 /// other groups the third derivative is that of the polynomial through the second derivatives at the nodes of a
@@ -89,4 +89,4 @@ class SmoothnessTerm {
   Time from_, to_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -5,7 +5,7 @@
 #include <random>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/motion/coning.hpp>
-#include <splinertia/spline/fit/detail/gap_bridges.hpp>
+#include <splinertia/spline/fit/detail/gap_regularization.hpp>
 #include <splinertia/spline/fit/fit.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
@@ -14,6 +14,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 
 namespace {
 
@@ -89,7 +90,7 @@ TEST_CASE("The prior over a span costs the square of the acceleration over the d
   const Line curve = parabola(a);
   const Spans spans{{4, 6, true, 0.1}};
   const std::vector<double> no_others;
-  GapBridges<Line> bridges(curve, spans, Number(noise), Number(unit), 0.25, no_others);
+  GapRegularization<Line> bridges(curve, spans, Number(noise), Number(unit), 0.25, no_others);
   const auto terms = bridges.terms(false);
   REQUIRE(terms.terms.size() == 1);
   Nowhere nowhere;
@@ -107,7 +108,7 @@ TEST_CASE("The prior over a span costs the square of the acceleration over the d
 
   // Three times as wide in the two outermost segments at either end, with the density at the scale of a knot interval.
   const Spans none;
-  const auto ends = GapBridges<Line>(curve, none, Number(noise), Number(unit), 0.25, no_others).terms(true);
+  const auto ends = GapRegularization<Line>(curve, none, Number(noise), Number(unit), 0.25, no_others).terms(true);
   REQUIRE(ends.terms.size() == 2);
   const double at_end = (*AccelerationDensity<Line>(curve, Number(noise * std::sqrt(0.25)))
                               .around({anchors_beside({{0.2, 10}}, 0, 1, 0.1, 0.1), {}}))[0];
@@ -118,7 +119,7 @@ TEST_CASE("Where other measurements are, there is no prior") {
   const Line curve = parabola(1);
   const Spans spans{{4, 6, true, 0.1}};
   const auto terms = [&](const std::vector<double>& others, bool ends = false) {
-    return GapBridges<Line>(curve, spans, Number(1), Number(1), 0.5, others).terms(ends).terms.size();
+    return GapRegularization<Line>(curve, spans, Number(1), Number(1), 0.5, others).terms(ends).terms.size();
   };
   std::vector<double> all;
   for (int i = 0; i <= 1000; ++i) all.push_back(0.01 * i);

@@ -6,13 +6,13 @@
 #include <functional>
 #include <optional>
 #include <splinertia/allan/detail/chi_square.hpp>
-#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <utility>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Profile-likelihood intervals of one description of a log. At their ends −2·log-likelihood, minimised over all other
 /// parameters, is `drop` above its minimum. Their level is the same for any function of a parameter (Wilks).
@@ -29,24 +29,24 @@ class ProfileLikelihood {
 
   /// The interval of √θ of a term that has a component of θ.
   [[nodiscard]] Interval<Scalar> root(NoiseTerm term, Scalar confidence) const {
-    const Scalar centre = std::sqrt(best_.theta[Likelihood::Fit::place(term)]);
-    const auto held = [term](Scalar root) {
+    const Scalar centre = std::sqrt(best_.theta[Likelihood::Fit::index_of(term)]);
+    const auto fixing = [term](Scalar root) {
       return [term, root](const Times&) { return std::optional<Fixed>({term, root * root}); };
     };
-    return interval(centre, confidence, held);
+    return interval(centre, confidence, fixing);
   }
 
   /// The interval of σ·√(2/rate) of a Gauss–Markov bias with standard deviation σ, in unit()·√s. 2σ²/rate is the
   /// correlation time times θ.
   [[nodiscard]] Interval<Scalar> gauss_markov_root(Scalar confidence) const {
     const Scalar centre =
-        std::sqrt(best_.theta[Likelihood::Fit::place(NoiseTerm::gauss_markov)] * best_.times.correlation);
-    const auto held = [](Scalar root) {
+        std::sqrt(best_.theta[Likelihood::Fit::index_of(NoiseTerm::gauss_markov)] * best_.times.correlation);
+    const auto fixing = [](Scalar root) {
       return [root](const Times& times) {
         return std::optional<Fixed>({NoiseTerm::gauss_markov, root * root / times.correlation});
       };
     };
-    return interval(centre, confidence, held);
+    return interval(centre, confidence, fixing);
   }
 
   /// The interval of one of the times, within its range. The search is on a logarithmic scale.
@@ -69,22 +69,22 @@ class ProfileLikelihood {
   }
 
  private:
-  template <typename Held>
-  [[nodiscard]] Interval<Scalar> interval(Scalar centre, Scalar confidence, const Held& held) const {
+  template <typename Fixing>
+  [[nodiscard]] Interval<Scalar> interval(Scalar centre, Scalar confidence, const Fixing& fixing) const {
     const Scalar drop = chi_square_quantile(confidence, Scalar(1));
     // A root with the squared relative error e² is like a scale estimated from 1/(2e²) degrees of freedom. With few of
     // them the likelihood ratio is larger by the factor 1 + 2e²/3 (Bartlett, Proc. R. Soc. A 160 (1937)).
-    const Scalar share = centre > 0 ? end(centre, held, Scalar(1), true) / centre - 1 : Scalar(1);
+    const Scalar share = centre > 0 ? end(centre, fixing, Scalar(1), true) / centre - 1 : Scalar(1);
     const Scalar error = (std::min)(share * share, Scalar(1) / 2);
     const Scalar corrected = drop * (1 + 2 * error / 3);
-    return {end(centre, held, corrected, false), end(centre, held, corrected, true)};
+    return {end(centre, fixing, corrected, false), end(centre, fixing, corrected, true)};
   }
 
-  template <typename Held>
-  [[nodiscard]] Scalar end(Scalar centre, const Held& held, Scalar drop, bool above) const {
+  template <typename Fixing>
+  [[nodiscard]] Scalar end(Scalar centre, const Fixing& fixing, Scalar drop, bool above) const {
     Result start = best_;
     const auto excess = [&](Scalar root) {
-      start = likelihood_.maximum_near(terms_, start, held(root));
+      start = likelihood_.maximum_near(terms_, start, fixing(root));
       return start.objective - best_.objective;
     };
     Scalar outside = 0;
@@ -98,7 +98,7 @@ class ProfileLikelihood {
         inside = outside;
         reach *= 2;
         outside = centre + reach;
-        if (!splinertia::is_finite(outside)) return outside;  // the log says nothing of this parameter
+        if (!splinertia::detail::is_finite(outside)) return outside;  // the log says nothing of this parameter
       }
       return crossing(excess, inside, outside, drop);
     }
@@ -145,4 +145,4 @@ class ProfileLikelihood {
   Result best_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

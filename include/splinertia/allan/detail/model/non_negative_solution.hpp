@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Non-negative least squares: the minimum of xᵀAx/2 − bᵀx over x ≥ 0 with x_j = 0 unless bit j of `candidates` is set.
 /// A is the matrix of the normal equations, b their right side; A may be singular or badly scaled. Exact: it tries all
@@ -49,4 +49,4 @@ template <typename Scalar, int Size>
   return scale.cwiseProduct(best);
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The beginning of a file: magic and version 1.0. Two bytes with the length of the rest of the header follow.
 inline constexpr std::string_view npy_magic{"\x93NUMPY\x01\x00", 8};
@@ -227,4 +227,4 @@ class NpyReader {
   std::uint64_t offset_ = 0;          // bytes read
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

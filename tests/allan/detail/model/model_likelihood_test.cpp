@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <vector>
 
 #include "allan/disturbances.hpp"
@@ -12,9 +12,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Likelihood = ModelLikelihood<double>;
 using Result = Likelihood::Result;
@@ -80,7 +83,7 @@ TEST_CASE("Times are those of the terms, within what a log can show") {
     if (!decays) CHECK(result.times.decay == infinity);
     CHECK((result.slope_error > 0) == (decays || terms.has(NoiseTerm::rate_ramp)));
     for (const NoiseTerm term : Fit::spectral_terms) {
-      if (!terms.has(term)) CHECK(result.theta[Fit::place(term)] == 0);
+      if (!terms.has(term)) CHECK(result.theta[Fit::index_of(term)] == 0);
     }
   }
 }
@@ -154,7 +157,7 @@ TEST_CASE("A start without a term leads to the model with it") {
 TEST_CASE("A coefficient that is held stays") {
   const LogFit log(biased(6), 50);
   const Result best = log.likelihood.maximise(white_and_bias);
-  const int white = Fit::place(NoiseTerm::white), bias = Fit::place(NoiseTerm::gauss_markov);
+  const int white = Fit::index_of(NoiseTerm::white), bias = Fit::index_of(NoiseTerm::gauss_markov);
   for (const double factor : {0.0, 0.5, 1.0, 3.0}) {
     const double theta = best.theta[white] * factor;
     const Result held = log.likelihood.maximum_near(white_and_bias, best, [theta](const Likelihood::Times&) {

@@ -22,6 +22,7 @@
 #include "support/random_group.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {

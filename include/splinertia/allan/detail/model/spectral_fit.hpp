@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 #include <splinertia/allan/detail/grouped_spectrum.hpp>
-#include <splinertia/allan/detail/non_negative_solution.hpp>
+#include <splinertia/allan/detail/model/non_negative_solution.hpp>
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/detail/finite.hpp>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Maximum-likelihood fit of noise terms to the bins of a spectrum.
 ///
@@ -34,11 +34,11 @@ class SpectralFit {
   using Matrix = Eigen::Matrix<Scalar, powers, powers>;
 
   /// The terms that have a component of θ.
-  static constexpr FixedArray<NoiseTerm, powers> spectral_terms{NoiseTerm::white, NoiseTerm::random_walk,
-                                                                NoiseTerm::bias_instability, NoiseTerm::quantization,
-                                                                NoiseTerm::gauss_markov};
+  static constexpr splinertia::detail::FixedArray<NoiseTerm, powers> spectral_terms{
+      NoiseTerm::white, NoiseTerm::random_walk, NoiseTerm::bias_instability, NoiseTerm::quantization,
+      NoiseTerm::gauss_markov};
   /// The index of a term in θ.
-  [[nodiscard]] static constexpr int place(NoiseTerm term) {
+  [[nodiscard]] static constexpr int index_of(NoiseTerm term) {
     return term == NoiseTerm::gauss_markov ? powers - 1 : static_cast<int>(term);
   }
 
@@ -96,7 +96,7 @@ class SpectralFit {
     Column expected;
     if (start != nullptr) {
       best.theta = start->cwiseProduct(mask(terms));
-      if (fixed) best.theta[place(fixed->term)] = fixed->theta;
+      if (fixed) best.theta[index_of(fixed->term)] = fixed->theta;
     } else {
       expected = smooth();
       if (work.trend) fit_slopes(work, expected, best);
@@ -180,13 +180,13 @@ class SpectralFit {
   /// 1 for the terms of a model, 0 for the others.
   [[nodiscard]] static Vector mask(NoiseTerms terms) {
     Vector mask = Vector::Zero();
-    for (const NoiseTerm term : spectral_terms) mask[place(term)] = terms.has(term) ? Scalar(1) : Scalar(0);
+    for (const NoiseTerm term : spectral_terms) mask[index_of(term)] = terms.has(term) ? Scalar(1) : Scalar(0);
     return mask;
   }
 
   [[nodiscard]] TrendBin trend_of(std::size_t i, Scalar decay_time) const {
     const auto& bin = spectrum_->bins()[i];
-    if (!is_finite(decay_time)) return {0, 0, bin.ramp_square, true};
+    if (!splinertia::detail::is_finite(decay_time)) return {0, 0, bin.ramp_square, true};
     const auto means = spectrum_->trend_means(bin, decay_time);
     return {means.odd, means.even, bin.odd_count * means.odd * means.odd + bin.even_count * means.even * means.even,
             false};
@@ -279,16 +279,17 @@ class SpectralFit {
     const auto basis = work.basis.matrix();
     const Matrix information = basis.transpose() * (grouped_.count * weight).matrix().asDiagonal() * basis;
     const Vector product = basis.transpose() * (residual_power(work, slopes) * weight).matrix();
-    Vector held = Vector::Zero();
+    Vector fixed_part = Vector::Zero();
     unsigned candidates = 0;
     for (const NoiseTerm term : spectral_terms) {
       if (fixed && fixed->term == term) {
-        held[place(term)] = fixed->theta;
+        fixed_part[index_of(term)] = fixed->theta;
       } else if (terms.has(term)) {
-        candidates |= 1u << place(term);
+        candidates |= 1u << index_of(term);
       }
     }
-    return held + non_negative_solution<Scalar, powers>(information, product - information * held, candidates);
+    return fixed_part +
+           non_negative_solution<Scalar, powers>(information, product - information * fixed_part, candidates);
   }
 
   const Spectrum* spectrum_;
@@ -296,4 +297,4 @@ class SpectralFit {
   GroupedSpectrum<Scalar> grouped_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <splinertia/group/euclidean.hpp>
 #include <splinertia/spline/fit/detail/data_support.hpp>
-#include <splinertia/spline/fit/unmeasured_spans.hpp>
+#include <splinertia/spline/fit/detail/unmeasured_spans.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <vector>
@@ -10,6 +10,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using std::chrono::nanoseconds;
 
 namespace {

@@ -8,7 +8,7 @@
 #include <splinertia/time.hpp>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// A span between two neighbouring poses, or between an end of the curve and the pose next to it.
 template <typename Time>
@@ -106,4 +106,4 @@ template <typename Curve>
   return parts;
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <splinertia/allan/deviation_misfit.hpp>
+#include <splinertia/allan/detail/deviation_misfit.hpp>
 #include <vector>
 
 #include "allan/disturbances.hpp"
@@ -11,9 +11,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Curve = splinertia::allan::Curve<double>;
 using Estimates = NoiseEstimates<double>;

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numbers>
 #include <splinertia/allan/detail/chi_square.hpp>
-#include <splinertia/allan/detail/model_selection.hpp>
-#include <splinertia/allan/detail/profile_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_selection.hpp>
+#include <splinertia/allan/detail/model/profile_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
-[[nodiscard]] constexpr bool has_trend(NoiseTerms terms) {
-  return terms.has(NoiseTerm::rate_ramp) || terms.has(NoiseTerm::warm_up);
+[[nodiscard]] constexpr bool has_trend(NoiseTerms t) {
+  return t.has(NoiseTerm::rate_ramp) || t.has(NoiseTerm::warm_up);
 }
 
 /// Estimates of each term from the models that describe a log, in the units of the signal.
@@ -61,7 +61,7 @@ class ModelEstimates {
     const NoiseTerms terms = best.terms.without(NoiseTerm::random_walk).with(NoiseTerm::gauss_markov);
     const Scalar drop = chi_square_quantile(Scalar(95) / 100, Scalar(1));
     Result start = best.result;
-    start.theta[Fit::place(NoiseTerm::gauss_markov)] = start.theta[Fit::place(NoiseTerm::random_walk)];
+    start.theta[Fit::index_of(NoiseTerm::gauss_markov)] = start.theta[Fit::index_of(NoiseTerm::random_walk)];
     const auto as_good = [&](Scalar time) {
       auto times = best.result.times;
       times.correlation = time;
@@ -95,13 +95,14 @@ class ModelEstimates {
     Description<Scalar> description{.terms = model.terms, .cost = model.cost};
     const auto set = [&](NoiseTerm term, Scalar value) { description.values[static_cast<std::size_t>(term)] = value; };
     for (const NoiseTerm term : Fit::spectral_terms) {
-      const Scalar theta = model.result.theta[Fit::place(term)];
+      const Scalar theta = model.result.theta[Fit::index_of(term)];
       if (model.terms.has(term) && term != NoiseTerm::gauss_markov) set(term, in_units(term, std::sqrt(theta)));
     }
     if (model.terms.has(NoiseTerm::gauss_markov)) {
       const Scalar time = model.result.times.correlation;
       set(NoiseTerm::gauss_markov,
-          in_units(NoiseTerm::gauss_markov, std::sqrt(model.result.theta[Fit::place(NoiseTerm::gauss_markov)] * time)));
+          in_units(NoiseTerm::gauss_markov,
+                   std::sqrt(model.result.theta[Fit::index_of(NoiseTerm::gauss_markov)] * time)));
       description.correlation_time = time;
     }
     if (has_trend(model.terms)) {
@@ -262,7 +263,7 @@ class ModelEstimates {
     }
     const Scalar centre = trend_size(model.result), count = static_cast<Scalar>(best.slopes.size());
     Scalar quantile = std::sqrt(chi_square_quantile(confidence, Scalar(1)));
-    const Scalar walk = std::sqrt(best.theta[Fit::place(NoiseTerm::random_walk)]);
+    const Scalar walk = std::sqrt(best.theta[Fit::index_of(NoiseTerm::random_walk)]);
     if (terms.has(NoiseTerm::random_walk) && walk > 0) {
       // A walk with the squared relative error e² has 1/(2e²) degrees of freedom: Student's quantile, to first order in
       // their inverse (Abramowitz and Stegun, 26.7.5).
@@ -297,4 +298,4 @@ class ModelEstimates {
   NoiseTerms candidates_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

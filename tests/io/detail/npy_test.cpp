@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <limits>
 #include <splinertia/io/detail/little_endian.hpp>
-#include <splinertia/io/npy.hpp>
+#include <splinertia/io/detail/npy.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +12,7 @@
 #include "support/catch.hpp"
 
 using namespace splinertia;
+using namespace splinertia::detail;
 using test::content;
 using test::error_of;
 

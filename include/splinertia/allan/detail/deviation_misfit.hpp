@@ -9,7 +9,7 @@
 #include <splinertia/allan/noise_terms.hpp>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The power law of the term with the largest Allan variance in a model at averaging time tau [s].
 template <typename Scalar>
@@ -104,4 +104,4 @@ template <typename Scalar>
   return misfits;
 }
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

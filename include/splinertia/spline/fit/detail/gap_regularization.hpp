@@ -12,12 +12,12 @@
 #include <optional>
 #include <splinertia/spline/fit/detail/acceleration_density.hpp>
 #include <splinertia/spline/fit/detail/smoothness.hpp>
-#include <splinertia/spline/fit/unmeasured_spans.hpp>
+#include <splinertia/spline/fit/detail/unmeasured_spans.hpp>
 #include <splinertia/time.hpp>
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The sum of several SmoothnessTerms.
 template <typename Curve>
@@ -34,7 +34,7 @@ struct SmoothnessTerms {
 
 /// Makes the terms that regularise a curve where neither poses nor other measurements determine it.
 template <typename Curve>
-class GapBridges {
+class GapRegularization {
  public:
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
@@ -44,9 +44,9 @@ class GapBridges {
   /// the share of the data that the control points take: the variance of a value of the curve over that of a pose.
   /// `others` are the ascending times of other measurements that determine the curve. Stores references to curve, spans
   /// and others.
-  GapBridges(std::reference_wrapper<const Curve> curve,
-             std::reference_wrapper<const std::vector<UnmeasuredSpan<Time>>> spans, const Tangent<G>& noise,
-             const Tangent<G>& unit, const Scalar& share, std::reference_wrapper<const std::vector<Time>> others)
+  GapRegularization(std::reference_wrapper<const Curve> curve,
+                    std::reference_wrapper<const std::vector<UnmeasuredSpan<Time>>> spans, const Tangent<G>& noise,
+                    const Tangent<G>& unit, const Scalar& share, std::reference_wrapper<const std::vector<Time>> others)
       : curve_(curve),
         spans_(spans),
         parts_(measured_parts(curve_, spans_)),
@@ -56,8 +56,8 @@ class GapBridges {
         others_(others) {}
 
   [[nodiscard]] SmoothnessTerms<Curve> terms(bool with_ends) {
-    for (std::size_t i = 0; i < spans_.size(); ++i) bridge(i);
-    if (with_ends) hold_ends();
+    for (std::size_t i = 0; i < spans_.size(); ++i) regularize_gap(i);
+    if (with_ends) regularize_ends();
     return std::move(terms_);
   }
 
@@ -71,7 +71,7 @@ class GapBridges {
 
   /// Adds the prior over span i. Its density is that of the motion on both sides at the time scale of the span or of
   /// the knots, whichever is smaller.
-  void bridge(std::size_t i) {
+  void regularize_gap(std::size_t i) {
     const auto& span = spans_[i];
     const double length = to_seconds<double>(span.end - span.start);
     const auto before = static_cast<std::ptrdiff_t>(i);
@@ -82,20 +82,20 @@ class GapBridges {
     auto density = density_.around(anchors(length));
     const auto nearby = density_.at_scale_of(anchors(span.knot_interval));
     if (density && nearby) density = density->cwiseMin(*nearby).eval();
-    hold(density, span.start, span.end, span.knot_interval, true);
+    regularize(density, span.start, span.end, span.knot_interval, true);
   }
 
   /// Adds a weak prior over the outermost Order − 2 segments, where a single pose bends the curve freely. It allows
   /// accelerations up to three times those of the rest, noise included.
-  void hold_ends() {
+  void regularize_ends() {
     const auto& knots = curve_.knots();
     const std::size_t segments = curve_.segments(), reach = Curve::order > 2 ? Curve::order - 2 : 1;
     if (segments < 4 * reach) return;
-    hold_end(curve_.start(), knots.knot(reach, Curve::order), 1);
-    hold_end(knots.knot(segments - reach, Curve::order), curve_.end(), -1);
+    regularize_end(curve_.start(), knots.knot(reach, Curve::order), 1);
+    regularize_end(knots.knot(segments - reach, Curve::order), curve_.end(), -1);
   }
 
-  void hold_end(Time from, Time to, int direction) {
+  void regularize_end(Time from, Time to, int direction) {
     const double knot_interval = to_seconds<double>(to - from) / (Curve::order > 2 ? Curve::order - 2 : 1);
     const double edge = to_seconds<double>((direction > 0 ? to : from) - curve_.start());
     // The measured parts of the curve without the segments of this end.
@@ -108,12 +108,12 @@ class GapBridges {
     if (inner.empty() || !(knot_interval > 0)) return;
     const std::ptrdiff_t first = direction > 0 ? 0 : std::ssize(inner) - 1;
     const Anchors anchors{anchors_beside(inner, first, direction, knot_interval, knot_interval), {}};
-    hold(density_.around(anchors), from, to, knot_interval, false);
+    regularize(density_.around(anchors), from, to, knot_interval, false);
   }
 
   /// Adds the prior over [from, to] where other measurements are more than 1.5 knot intervals apart. Its amplitude is
   /// three times as large, i.e. the prior is weaker, if poses determine the curve, too (`needed` is false).
-  void hold(const std::optional<Tangent<G>>& found, Time from, Time to, double knot_interval, bool needed) {
+  void regularize(const std::optional<Tangent<G>>& found, Time from, Time to, double knot_interval, bool needed) {
     const Scalar amplitude = needed ? Scalar(1) : Scalar(3);
     const auto length = to_seconds<Scalar>(to - from);
     // If nothing is beside the span: a motion within it that the noise could hide.
@@ -150,4 +150,4 @@ class GapBridges {
   SmoothnessTerms<Curve> terms_;
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

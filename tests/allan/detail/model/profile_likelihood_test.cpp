@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 #include <splinertia/allan/detail/chi_square.hpp>
-#include <splinertia/allan/detail/profile_likelihood.hpp>
+#include <splinertia/allan/detail/model/profile_likelihood.hpp>
 #include <vector>
 
 #include "allan/disturbances.hpp"
@@ -13,9 +13,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Likelihood = ModelLikelihood<double>;
 using Result = Likelihood::Result;
@@ -107,7 +110,7 @@ TEST_CASE("At the ends of a coefficient's interval the likelihood is lower by it
       return log.fit.maximise(white_and_walk, {}, Fit::Fixed{term, root * root}).objective - best.objective;
     };
     for (const double confidence : {0.6827, 0.95}) {
-      check_ends(profile.root(term, confidence), std::sqrt(best.theta[Fit::place(term)]), confidence, excess);
+      check_ends(profile.root(term, confidence), std::sqrt(best.theta[Fit::index_of(term)]), confidence, excess);
     }
     const auto narrow = profile.root(term, 0.6827), wide = profile.root(term, 0.95);
     CHECK(wide.lower < narrow.lower);
@@ -119,7 +122,7 @@ TEST_CASE("At the ends of a bias's interval the likelihood is lower by its level
   const LogFit log(biased(), 50);
   const Result best = log.likelihood.maximise(white_and_bias);
   const Profile profile(log.likelihood, white_and_bias, best);
-  const double centre = std::sqrt(best.theta[Fit::place(NoiseTerm::gauss_markov)] * best.times.correlation);
+  const double centre = std::sqrt(best.theta[Fit::index_of(NoiseTerm::gauss_markov)] * best.times.correlation);
   // The most likely time for each deviation by golden ratio search: the profile likelihood has one minimum.
   const auto excess = [&](double root) {
     const auto at = [&](double logarithm) {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 #include <span>
-#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <vector>
 
@@ -16,9 +16,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Fit = SpectralFit<double>;
 using Fixed = Fit::Fixed;

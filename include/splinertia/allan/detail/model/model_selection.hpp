@@ -7,12 +7,12 @@
 #include <iterator>
 #include <optional>
 #include <splinertia/allan/detail/deterministic_drift.hpp>
-#include <splinertia/allan/detail/model_likelihood.hpp>
+#include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// Finds the sets of terms that describe a log.
 ///
@@ -154,7 +154,8 @@ class ModelSelection {
     const auto& theta = best.result.theta;
     for (const auto& bin : fit.spectrum().bins()) {
       Scalar power = 0;
-      for (const NoiseTerm term : {white, quantization}) power += bin.basis[Fit::place(term)] * theta[Fit::place(term)];
+      for (const NoiseTerm term : {white, quantization})
+        power += bin.basis[Fit::index_of(term)] * theta[Fit::index_of(term)];
       expected.push_back((std::max)(power, Fit::floor()));
     }
     auto drift = best_drift(fit.spectrum(), fit.included(), expected);
@@ -197,4 +198,4 @@ class ModelSelection {
   std::optional<DeterministicDrift<Scalar>> drift_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail

@@ -12,19 +12,19 @@
 #include <splinertia/spline/fit/detail/end_jumps.hpp>
 #include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/detail/fit_residuals.hpp>
-#include <splinertia/spline/fit/detail/gap_bridges.hpp>
+#include <splinertia/spline/fit/detail/gap_regularization.hpp>
 #include <splinertia/spline/fit/detail/knots_over.hpp>
 #include <splinertia/spline/fit/detail/least_squares.hpp>
 #include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/spline/fit/detail/pose_term.hpp>
 #include <splinertia/spline/fit/detail/smoothness.hpp>
+#include <splinertia/spline/fit/detail/unmeasured_spans.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
-#include <splinertia/spline/fit/unmeasured_spans.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <utility>
 #include <vector>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// The steps of fit(). A problem that adds other measurements of the same curve continues from here.
 template <typename Curve>
@@ -43,7 +43,7 @@ class FitProblem {
     const std::size_t control_points = fit_.spline.control_points().size();
     const auto undetermined = undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
     fit_.knot_choice = choice_;
-    fit_.held_control_points = undetermined.size();
+    fit_.regularized_control_points = undetermined.size();
     const auto thin = thinly_measured_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
     std::vector<std::size_t> weak;
     std::set_union(undetermined.begin(), undetermined.end(), thin.begin(), thin.end(), std::back_inserter(weak));
@@ -122,8 +122,8 @@ class FitProblem {
       const auto& [derivative, density] = *options_.smoothness;
       return {{SmoothnessTerm<Curve>(derivative, density, curve.start(), curve.end())}};
     }
-    return GapBridges<Curve>(curve, spans_, noise_, fit_.standard_deviation, taken_share_, others)
-        .terms(options_.hold_ends);
+    return GapRegularization<Curve>(curve, spans_, noise_, fit_.standard_deviation, taken_share_, others)
+        .terms(options_.regularize_ends);
   }
 
   /// The result of fit() for `curve`, which solve() or a later optimisation has found.
@@ -151,7 +151,7 @@ class FitProblem {
   }
 
   /// Whether no prior is to be estimated: there is none, or `smoothness` is given.
-  [[nodiscard]] bool priorless() const { return options_.smoothness || (spans_.empty() && !options_.hold_ends); }
+  [[nodiscard]] bool priorless() const { return options_.smoothness || (spans_.empty() && !options_.regularize_ends); }
 
   [[nodiscard]] auto counts() const {
     return [this](std::size_t i) { return options_.weights.empty() || options_.weights[i] > Scalar(0); };
@@ -191,4 +191,4 @@ class FitProblem {
   Scalar free_share_;   // share that they leave free, at least a quarter
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Evaluates a curve at several times at once: evaluate_increments() with a SIMD pack as its scalar (Lanes, one time
+/// Evaluates a curve at several times at once: evaluate_increments() with a SIMD pack as its scalar (SimdPack, one time
 /// per lane). The code and the order of its operations are those for a single time, so the results are bitwise equal if
 /// every product and sum is rounded. With FMA the compiler may fuse different operations.
 ///
@@ -17,27 +17,27 @@
 #include <splinertia/spline/evaluate.hpp>
 #include <splinertia/time.hpp>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// A curve that can be evaluated at several times at once: a spline in float or double over double or integer time, on
 /// a group that supports SIMD packs, with knots that have segment().
 template <typename C>
-concept LaneCurve = (std::same_as<typename C::Scalar, float> || std::same_as<typename C::Scalar, double>) &&
-                    (std::same_as<typename C::Time, double> || !std::floating_point<typename C::Time>) &&
-                    HasLanes<typename C::Group, NativeLanes<typename C::Scalar>> && requires(const C& curve) {
-                      curve.increments();
-                      curve.knots().segment(curve.start(), std::size_t{}, C::order);
-                    };
+concept PackedCurve = (std::same_as<typename C::Scalar, float> || std::same_as<typename C::Scalar, double>) &&
+                      (std::same_as<typename C::Time, double> || !std::floating_point<typename C::Time>) &&
+                      HasSimdPack<typename C::Group, NativeSimdPack<typename C::Scalar>> && requires(const C& curve) {
+                        curve.increments();
+                        curve.knots().segment(curve.start(), std::size_t{}, C::order);
+                      };
 
 /// One segment of a curve, with the data that its samples share broadcast to SIMD packs.
-template <LaneCurve C>
-class LaneSegment {
+template <PackedCurve C>
+class PackedSegment {
  public:
   using Real = typename C::Scalar;
-  using L = NativeLanes<Real>;
+  using L = NativeSimdPack<Real>;
   using G = WithScalar<typename C::Group, L>;
 
-  LaneSegment(const C& curve, std::size_t s)
+  PackedSegment(const C& curve, std::size_t s)
       : first_(with_scalar<L>(curve.control_points()[s])), knots_(curve.knots(), s) {
     for (std::size_t j = 0; j < increments_.size(); ++j) {
       for (int i = 0; i < increments_[j].size(); ++i) increments_[j][i] = L(curve.increments()[s + j][i]);
@@ -49,16 +49,16 @@ class LaneSegment {
   [[nodiscard]] Motion<G, D> evaluate(const auto& times, std::size_t i) const {
     return evaluate_increments<D>(
         first_, [this](std::size_t j) -> const Tangent<G>& { return increments_[j]; },
-        knots_.template basis<D, Real>(lane_times(times, i)));
+        knots_.template basis<D, Real>(packed_times(times, i)));
   }
 
  private:
-  using TimeLanes = Lanes<double, L::size, vector_bytes>;
+  using TimePack = SimdPack<double, L::size, vector_bytes>;
 
   // In the form that the knots take: seconds, or ticks since the beginning of the segment.
-  [[nodiscard]] TimeLanes lane_times(const auto& times, std::size_t i) const {
-    if constexpr (requires { times.template lanes<TimeLanes>(i); }) {
-      return times.template lanes<TimeLanes>(i);
+  [[nodiscard]] TimePack packed_times(const auto& times, std::size_t i) const {
+    if constexpr (requires { times.template lanes<TimePack>(i); }) {
+      return times.template lanes<TimePack>(i);
     } else {
       std::array<double, L::size> t;
       for (std::size_t l = 0; l < t.size(); ++l) {
@@ -68,7 +68,7 @@ class LaneSegment {
           t[l] = static_cast<double>(time_between(knots_.begin(), times(i + l)).count());
         }
       }
-      return TimeLanes::load(t.data());
+      return TimePack::load(t.data());
     }
   }
 
@@ -78,12 +78,13 @@ class LaneSegment {
 };
 
 /// Calls write(i, motion) in ascending order of i to cover samples first … first + count − 1 at times(first), …. The
-/// lanes of `motion` are samples i, i + 1, …. Lanes after the last sample of a segment are invalid: a later call
+/// lanes of `motion` are samples i, i + 1, …. SimdPack after the last sample of a segment are invalid: a later call
 /// overwrites them, or they are after the last sample of all. Requires all times on the curve, in ascending order; the
 /// last may exceed its end by rounding.
-template <int D, LaneCurve C>
-inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first, std::size_t count, const auto& write) {
-  constexpr std::size_t lanes = LaneSegment<C>::L::size;
+template <int D, PackedCurve C>
+inline void evaluate_packed(const C& curve, const auto& times, std::size_t first, std::size_t count,
+                            const auto& write) {
+  constexpr std::size_t lanes = PackedSegment<C>::L::size;
   const std::size_t points = curve.control_points().size(), end = first + count;
   const auto curve_end = curve.end();
   const auto segment_of = [&](std::size_t i) {
@@ -102,7 +103,7 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
     }
     call_flattened([&] {
       // Copies, which write() cannot modify: so the compiler moves what depends only on them out of the loop.
-      const LaneSegment<C> segment(curve, s);
+      const PackedSegment<C> segment(curve, s);
       const auto at = times;
       const auto to = write;
       const std::size_t last = segment_end;
@@ -113,12 +114,12 @@ inline void evaluate_lanes(const C& curve, const auto& times, std::size_t first,
   }
 }
 
-/// evaluate_lanes() for any curve. Curves that are not LaneCurves are evaluated at one time after the other.
+/// evaluate_packed() for any curve. Curves that are not LaneCurves are evaluated at one time after the other.
 template <int D, typename C>
 inline void for_each_sample(const C& curve, const auto& times, std::size_t first, std::size_t count,
                             const auto& write) {
-  if constexpr (LaneCurve<C>) {
-    evaluate_lanes<D>(curve, times, first, count, write);
+  if constexpr (PackedCurve<C>) {
+    evaluate_packed<D>(curve, times, first, count, write);
   } else {
     const auto end = curve.end();
     for (std::size_t i = first; i < first + count; ++i) {
@@ -127,4 +128,4 @@ inline void for_each_sample(const C& curve, const auto& times, std::size_t first
   }
 }
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

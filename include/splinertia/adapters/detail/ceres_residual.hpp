@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace splinertia {
+namespace splinertia::detail {
 
 /// Base class for residuals of a measurement of a curve: M numbers that depend on the Order control points that shape
 /// the curve there, laid out as in spline/parameter_blocks.hpp, and on other parameter blocks after those:
@@ -65,4 +65,4 @@ class CeresResidual : public ceres::CostFunction {
   }
 };
 
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <splinertia/allan/detail/model_selection.hpp>
+#include <splinertia/allan/detail/model/model_selection.hpp>
 #include <string>
 #include <vector>
 
@@ -14,9 +14,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Selection = ModelSelection<double>;
 using Model = Selection::Model;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <splinertia/allan/detail/model_estimates.hpp>
+#include <splinertia/allan/detail/model/model_estimates.hpp>
 #include <vector>
 
 #include "allan/disturbances.hpp"
@@ -12,9 +12,12 @@
 #include "support/catch.hpp"
 
 using namespace splinertia::allan;
+using namespace splinertia::allan::detail;
 using namespace splinertia::testing;
 
 namespace {
+
+using namespace splinertia::detail;
 
 using Estimates = NoiseEstimates<double>;
 using Selection = ModelSelection<double>;

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <splinertia/allan/detail/non_negative_solution.hpp>
+#include <splinertia/allan/detail/model/non_negative_solution.hpp>
 
 #include "support/catch.hpp"
 
-using splinertia::allan::non_negative_solution;
+using splinertia::allan::detail::non_negative_solution;
 
 namespace {
+
+using namespace splinertia::detail;
 
 constexpr int size = 4;
 using Vector = Eigen::Vector4d;

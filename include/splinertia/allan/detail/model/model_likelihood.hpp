@@ -7,12 +7,12 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <splinertia/allan/detail/spectral_fit.hpp>
+#include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <splinertia/detail/finite.hpp>
 
-namespace splinertia::allan {
+namespace splinertia::allan::detail {
 
 /// The most likely model with a set of terms: SpectralFit for the coefficients, and a search over the times of a
 /// Gauss–Markov bias and a warm-up.
@@ -47,15 +47,15 @@ class ModelLikelihood {
   /// Searches from a nearby result. `fixed` says which coefficient to hold at given times: a Fixed, or nothing.
   template <typename FixedAt>
   [[nodiscard]] Result maximum_near(NoiseTerms terms, const Result& start, const FixedAt& fixed) const {
-    const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
+    const bool correlated = terms.has(NoiseTerm::gauss_markov), has_decay = terms.has(NoiseTerm::warm_up);
     Times times = start.times;
-    if (!decaying) times.decay = infinity;
-    if (decaying && !is_finite(times.decay)) times.decay = decay_.upper;
+    if (!has_decay) times.decay = infinity;
+    if (has_decay && !splinertia::detail::is_finite(times.decay)) times.decay = decay_.upper;
     if (correlated && !(times.correlation > 0)) times.correlation = correlation_.upper;
     Result best = fit_.maximise(terms, times, fixed(times), &start.theta);
-    for (int round = 0; round < (correlated && decaying ? 2 : 1); ++round) {
+    for (int round = 0; round < (correlated && has_decay ? 2 : 1); ++round) {
       if (correlated) refine(terms, fixed, best, &Times::correlation, correlation_);
-      if (decaying) refine(terms, fixed, best, &Times::decay, decay_);
+      if (has_decay) refine(terms, fixed, best, &Times::decay, decay_);
     }
     return best;
   }
@@ -77,19 +77,19 @@ class ModelLikelihood {
   static constexpr Scalar infinity = std::numeric_limits<Scalar>::infinity();
 
   [[nodiscard]] Result search(NoiseTerms terms) const {
-    const bool correlated = terms.has(NoiseTerm::gauss_markov), decaying = terms.has(NoiseTerm::warm_up);
-    if (!correlated && !decaying) return fit_.maximise(terms);
-    const Scalar factor = correlated && decaying ? Scalar(4) : Scalar(2);
+    const bool correlated = terms.has(NoiseTerm::gauss_markov), has_decay = terms.has(NoiseTerm::warm_up);
+    if (!correlated && !has_decay) return fit_.maximise(terms);
+    const Scalar factor = correlated && has_decay ? Scalar(4) : Scalar(2);
     const Scalar coarse = Scalar(1) / 100;
     Result best;
-    for (Scalar decay = decaying ? decay_.lower : infinity;; decay *= factor) {
+    for (Scalar decay = has_decay ? decay_.lower : infinity;; decay *= factor) {
       Result last;
       for (Scalar correlation = correlated ? correlation_.lower : Scalar(0);; correlation *= factor) {
         last = fit_.maximise(terms, {correlation, decay}, {}, last.slopes.empty() ? nullptr : &last.theta, coarse);
         if (last.objective < best.objective) best = last;
         if (!correlated || correlation * factor > correlation_.upper) break;
       }
-      if (!decaying || decay * factor > decay_.upper) break;
+      if (!has_decay || decay * factor > decay_.upper) break;
     }
     return maximum_near(terms, best);
   }
@@ -131,4 +131,4 @@ class ModelLikelihood {
   Interval<Scalar> correlation_, decay_;
 };
 
-}  // namespace splinertia::allan
+}  // namespace splinertia::allan::detail
