@@ -14,10 +14,6 @@
 
 namespace splinertia::allan::detail {
 
-[[nodiscard]] constexpr bool has_trend(NoiseTerms t) {
-  return t.has(NoiseTerm::rate_ramp) || t.has(NoiseTerm::warm_up);
-}
-
 /// Estimates of each term from the models that describe a log, in the units of the signal.
 template <typename Scalar>
 class ModelEstimates {

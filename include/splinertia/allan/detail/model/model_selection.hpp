@@ -14,6 +14,10 @@
 
 namespace splinertia::allan::detail {
 
+[[nodiscard]] constexpr bool has_trend(NoiseTerms t) {
+  return t.has(NoiseTerm::rate_ramp) || t.has(NoiseTerm::warm_up);
+}
+
 /// Finds the sets of terms that describe a log.
 ///
 /// The cost of a model is −2·log-likelihood plus 3 for each parameter, 9 for the slope of a trend: a walk of which a
