@@ -5,6 +5,7 @@
 
 #include <splinertia/group/pose.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/motion/detail/tangent_parts.hpp>
 #include <splinertia/motion/kinematics.hpp>
 
 namespace splinertia {
@@ -41,16 +42,14 @@ template <Pose G>
   const auto& q_BI = calibration.arm.R_BI.unit_quaternion();
   const Vector3<Scalar>& l = calibration.arm.p_BI;
   const Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
-  Vector3<Scalar> alpha_rate, force_rate;
+  const Vector3<Scalar> alpha_rate = detail::rotational_part<G>(m.jerk);
+  Vector3<Scalar> force_rate = detail::translational_part<G>(m.jerk);
   if constexpr (SplitPose<G>) {
-    alpha_rate = m.jerk.template head<3>();
-    force_rate =
-        rotate_inverse<Scalar>(q, m.jerk.template tail<3>()) - omega.cross(specific_force(m, calibration.gravity));
+    force_rate = rotate_inverse<Scalar>(q, force_rate) - omega.cross(specific_force(m, calibration.gravity));
   } else {
-    alpha_rate = m.jerk.template tail<3>();
-    const Vector3<Scalar> v = m.velocity.template head<3>(), v_dot = m.acceleration.template head<3>();
-    force_rate = m.jerk.template head<3>() + alpha.cross(v) + omega.cross(v_dot) +
-                 omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
+    const Vector3<Scalar> v = detail::translational_part<G>(m.velocity);
+    const Vector3<Scalar> v_dot = detail::translational_part<G>(m.acceleration);
+    force_rate += alpha.cross(v) + omega.cross(v_dot) + omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
   }
   force_rate += alpha_rate.cross(l) + alpha.cross(omega.cross(l)) + omega.cross(alpha.cross(l));
   Eigen::Matrix<Scalar, 6, 1> rate;
