@@ -40,6 +40,67 @@ def read_imu(path, times):
                             for i in range(6)])
 
 
+class Study:
+    """The columns of the study, for each way: distances from the poses, accelerations, rates and specific forces."""
+
+    def __init__(self, path, imu):
+        data = np.genfromtxt(path, delimiter=",", names=True, dtype=None)
+        self.ways = {way: look for way, look in WAYS.items() if f"{way}_dx_m" in data.dtype.names}
+        stamps = data["time_ns"]
+        self.t = (stamps - stamps[0]) * 1e-9
+        self.interval = np.median(np.diff(self.t))
+
+        def columns(letters):
+            return {way: np.column_stack([data[f"{way}_{letter}"] for letter in letters]) for way in self.ways}
+
+        self.off = {way: np.linalg.norm(x, axis=1) for way, x in columns(("dx_m", "dy_m", "dz_m")).items()}
+        self.accel = {way: np.linalg.norm(x, axis=1) for way, x in columns(("ax", "ay", "az")).items()}
+        self.rates, self.forces = columns(("wx", "wy", "wz")), columns(("fx", "fy", "fz"))
+        self.imu = read_imu(imu, stamps) if imu else None
+
+
+def print_table(study):
+    imu = study.imu
+    print("| | from the poses: median [mm] | max [mm] | acceleration: RMS [m/s²] | max [m/s²] |"
+          + (" gyro − IMU below 10 Hz [rad/s] | accel − IMU below 2 Hz [m/s²] |" if imu is not None else ""))
+    print("|---|---|---|---|---|" + ("---|---|" if imu is not None else ""))
+    for way, (name, _) in study.ways.items():
+        off, accel = study.off[way], study.accel[way]
+        row = f"| {name} | {1e3 * np.median(off):.4f} | {1e3 * off.max():.2f} | {rms(accel):.2f} | {accel.max():.1f} |"
+        if imu is not None:
+            row += f" {rms(low_pass(imu[:, :3] - study.rates[way], study.interval, 10)):.2e}" \
+                   f" | {rms(low_pass(imu[:, 3:] - study.forces[way], study.interval, 2)):.3f} |"
+        print(row)
+
+
+def draw_jump(axes, study, jump):
+    """Distance from the poses and acceleration, within 0.3 s of the jump."""
+    near = np.abs(study.t - jump) < 0.3
+    for way, (name, colour) in study.ways.items():
+        axes[0].plot(study.t[near], 1e3 * study.off[way][near], color=colour, label=name, linewidth=1.2)
+        axes[1].semilogy(study.t[near], np.maximum(study.accel[way][near], 1e-2), color=colour, linewidth=1.2)
+    axes[0].set(ylabel="from the poses [mm]", title=f"A jump of the ground truth at {jump:.2f} s")
+    axes[0].legend(loc="upper right")
+    axes[1].set(ylabel="acceleration [m/s²]", xlabel="time [s]")
+
+
+def draw_force(axis, study, jump):
+    """The specific force beside the accelerometer's, within 4 s of the jump."""
+    t, around = study.t, np.abs(study.t - jump) < 4
+    for way in [way for way in ("interpolation", "fit", "inertial") if way in study.ways]:
+        axis.plot(t[around], study.forces[way][around, 0], color=WAYS[way][1], linewidth=0.9,
+                  alpha=0.5 if way == "interpolation" else 1)
+    if study.imu is not None:
+        measured = study.imu[:, 3]
+        bias = (measured - study.forces["fit"][:, 0]).mean()
+        smooth = low_pass(study.imu[:, 3:4], study.interval, 10)[:, 0] + measured.mean() - bias
+        axis.plot(t[around], smooth[around], "k", linewidth=0.9, label="IMU, below 10 Hz, bias taken away")
+        axis.legend(loc="upper right")
+        low, high = smooth[around].min(), smooth[around].max()
+        axis.set_ylim(low - 0.5 * (high - low), high + 0.5 * (high - low))
+    axis.set(ylabel="specific force, x [m/s²]", xlabel="time [s]", title="What an accelerometer would read")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("study")
@@ -47,61 +108,15 @@ def main():
     parser.add_argument("--around", type=float, help="time of the detail [s]; default: the largest jump")
     parser.add_argument("-o", "--output", help="svg or png")
     arguments = parser.parse_args()
-
-    data = np.genfromtxt(arguments.study, delimiter=",", names=True, dtype=None)
-    ways = {way: look for way, look in WAYS.items() if f"{way}_dx_m" in data.dtype.names}
-    stamps = data["time_ns"]
-    t = (stamps - stamps[0]) * 1e-9
-    interval = np.median(np.diff(t))
-
-    def columns(way, letters):
-        return np.column_stack([data[f"{way}_{letter}"] for letter in letters])
-
-    off = {way: np.linalg.norm(columns(way, ("dx_m", "dy_m", "dz_m")), axis=1) for way in ways}
-    accel = {way: np.linalg.norm(columns(way, ("ax", "ay", "az")), axis=1) for way in ways}
-    rates = {way: columns(way, ("wx", "wy", "wz")) for way in ways}
-    forces = {way: columns(way, ("fx", "fy", "fz")) for way in ways}
-    imu = read_imu(arguments.imu, stamps) if arguments.imu else None
-
-    print("| | from the poses: median [mm] | max [mm] | acceleration: RMS [m/s²] | max [m/s²] |"
-          + (" gyro − IMU below 10 Hz [rad/s] | accel − IMU below 2 Hz [m/s²] |" if imu is not None else ""))
-    print("|---|---|---|---|---|" + ("---|---|" if imu is not None else ""))
-    for way, (name, _) in ways.items():
-        row = f"| {name} | {1e3 * np.median(off[way]):.4f} | {1e3 * off[way].max():.2f} " \
-              f"| {rms(accel[way]):.2f} | {accel[way].max():.1f} |"
-        if imu is not None:
-            row += f" {rms(low_pass(imu[:, :3] - rates[way], interval, 10)):.2e}" \
-                   f" | {rms(low_pass(imu[:, 3:] - forces[way], interval, 2)):.3f} |"
-        print(row)
+    study = Study(arguments.study, arguments.imu)
+    print_table(study)
     if not arguments.output:
         return
-
     plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3})
-    jump = arguments.around if arguments.around is not None else t[np.argmax(off["fit"])]
+    jump = arguments.around if arguments.around is not None else study.t[np.argmax(study.off["fit"])]
     figure, axes = plt.subplots(3, 1, figsize=(8, 8.5), layout="constrained")
-
-    near = np.abs(t - jump) < 0.3
-    for way, (name, colour) in ways.items():
-        axes[0].plot(t[near], 1e3 * off[way][near], color=colour, label=name, linewidth=1.2)
-    axes[0].set(ylabel="from the poses [mm]", title=f"A jump of the ground truth at {jump:.2f} s")
-    axes[0].legend(loc="upper right")
-    for way, (name, colour) in ways.items():
-        axes[1].semilogy(t[near], np.maximum(accel[way][near], 1e-2), color=colour, linewidth=1.2)
-    axes[1].set(ylabel="acceleration [m/s²]", xlabel="time [s]")
-
-    around = np.abs(t - jump) < 4
-    for way in [way for way in ("interpolation", "fit", "inertial") if way in ways]:
-        name, colour = WAYS[way]
-        axes[2].plot(t[around], forces[way][around, 0], color=colour, linewidth=0.9,
-                     alpha=0.5 if way == "interpolation" else 1)
-    if imu is not None:
-        bias = (imu[:, 3] - forces["fit"][:, 0]).mean()
-        smooth = low_pass(imu[:, 3:4], interval, 10)[:, 0] + imu[:, 3].mean() - bias
-        axes[2].plot(t[around], smooth[around], "k", linewidth=0.9, label="IMU, below 10 Hz, bias taken away")
-        axes[2].legend(loc="upper right")
-        low, high = smooth[around].min(), smooth[around].max()
-        axes[2].set_ylim(low - 0.5 * (high - low), high + 0.5 * (high - low))
-    axes[2].set(ylabel="specific force, x [m/s²]", xlabel="time [s]", title="What an accelerometer would read")
+    draw_jump(axes, study, jump)
+    draw_force(axes[2], study, jump)
     thin_svg.save(figure, arguments.output)
 
 

@@ -22,10 +22,10 @@ using namespace splinertia;
 using namespace splinertia::detail;
 
 TEST_CASE("std, std::chrono, Eigen and splinertia are used together") {
-  const Vector3<double> v(1, 2, 3);
-  const Matrix3<double> m = hat<double>(v);
+  const Eigen::Vector3<double> v(1, 2, 3);
+  const Eigen::Matrix3<double> m = hat<double>(v);
   CHECK((m * v).norm() == 0);
-  CHECK(Vector2<float>::Ones().sum() == 2);
+  CHECK(Eigen::Vector2<float>::Ones().sum() == 2);
   CHECK(to_seconds<double>(seconds(5) - milliseconds(500)) == 4.5);
   CHECK(to_nanoseconds(seconds(5)) == nanoseconds(5'000'000'000));
   CHECK(after(nanoseconds(0), 0.25) == milliseconds(250));

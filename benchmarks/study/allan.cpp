@@ -31,7 +31,7 @@ using namespace splinertia::detail;
 using namespace splinertia::allan;
 using namespace splinertia::allan::detail;
 
-using Vector = Vector3<double>;
+using Vector = Eigen::Vector3<double>;
 using Log = std::vector<double>;
 
 /// Accelerometer of presets::course, m/s²/√Hz and m/s³/√Hz: a walk that both lengths of log are long enough to show.

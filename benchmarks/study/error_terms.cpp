@@ -41,7 +41,7 @@ namespace study {
 namespace {
 
 using namespace splinertia;
-using Vector = Vector3<double>;
+using Vector = Eigen::Vector3<double>;
 
 /// 200 Hz, unknown while compiling.
 double sampling_interval() {
@@ -120,9 +120,9 @@ Model clock(const std::string& name, const Term& term) {
 }
 
 /// A matrix near the identity, unknown while compiling.
-Matrix3<double> matrix() {
+Eigen::Matrix3<double> matrix() {
   const double one = sampling_interval() * 200;
-  return Matrix3<double>{{1.01, 0.02, 0.03}, {0.01, 0.99, 0.01}, {0.04, 0.02, 1.02}} * one;
+  return Eigen::Matrix3<double>{{1.01, 0.02, 0.03}, {0.01, 0.99, 0.01}, {0.04, 0.02, 1.02}} * one;
 }
 
 /// Parameters are of the size that sensors have, but for limits that clip and steps that round.
@@ -148,7 +148,7 @@ std::vector<Model> models() {
       both("Saturation", saturation),
       both("ScaleFactor", ScaleFactor{0.01}),
       both("Misalignment", misalignment),
-      model("GSensitivity", 3, Imu{ErrorModel{GSensitivity{Matrix3<double>(matrix() * 1e-3)}}, ErrorModel{}}),
+      model("GSensitivity", 3, Imu{ErrorModel{GSensitivity{Eigen::Matrix3<double>(matrix() * 1e-3)}}, ErrorModel{}}),
       both("TemperatureBias", TemperatureBias{1e-3, warm_up}),
       both("TemperatureScale", TemperatureScale{1e-4, warm_up}),
       both("SinusoidalVibration", SinusoidalVibration{0.1, 30.0}),

@@ -60,7 +60,7 @@ Run exact_run(const Scene& scene, double rate) {
     run.points.push_back({t, gyro, accel});
     run.truth.push_back(nav_state(motion, t));
     if (i == 0) continue;
-    Increment increment{t, Vector3<double>::Zero(), Vector3<double>::Zero()};
+    Increment increment{t, Eigen::Vector3<double>::Zero(), Eigen::Vector3<double>::Zero()};
     for (std::size_t k = 0; k < nodes.size(); ++k) {
       const auto within = ideal_imu(scene.evaluate<2>((i - 0.5 + nodes[k] / 2) / rate));
       increment.delta_angle += weights[k] / (2 * rate) * within.gyro;

@@ -10,7 +10,7 @@ using namespace splinertia::detail;
 namespace {
 
 template <typename T>
-Vector3<T> vector_at(const T* block) {
+Eigen::Vector3<T> vector_at(const T* block) {
   return {block[0], block[1], block[2]};
 }
 
@@ -24,13 +24,14 @@ struct GyroscopeFunctor {
   bool operator()(T const* const* parameters, T* residuals) const {
     using H = WithScalar<G, T>;
     const auto curve = evaluate<1, H>(parameters, testing::with_scalar<T>(basis));
-    Vector3<T> omega;
+    Eigen::Vector3<T> omega;
     if constexpr (Pose<H>) {
       omega = angular_velocity(curve);
     } else {
       omega = curve.velocity;
     }
-    Eigen::Map<Vector3<T>>{residuals} = weight.cast<T>() * (omega + vector_at(parameters[Order]) - measured.cast<T>());
+    Eigen::Map<Eigen::Vector3<T>>{residuals} =
+        weight.cast<T>() * (omega + vector_at(parameters[Order]) - measured.cast<T>());
     return true;
   }
 };
@@ -46,8 +47,9 @@ struct AccelerometerFunctor {
     using H = WithScalar<G, T>;
     constexpr std::size_t others = Order * ControlPointParts<G>::count;
     const auto curve = evaluate<2, H>(parameters, testing::with_scalar<T>(basis));
-    const Vector3<T> force = ideal_imu(curve, vector_at(parameters[others + 1])).accel;
-    Eigen::Map<Vector3<T>>{residuals} = weight.cast<T>() * (force + vector_at(parameters[others]) - measured.cast<T>());
+    const Eigen::Vector3<T> force = ideal_imu(curve, vector_at(parameters[others + 1])).accel;
+    Eigen::Map<Eigen::Vector3<T>>{residuals} =
+        weight.cast<T>() * (force + vector_at(parameters[others]) - measured.cast<T>());
     return true;
   }
 };

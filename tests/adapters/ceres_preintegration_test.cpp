@@ -76,12 +76,12 @@ struct Functor {
 
   template <typename T>
   static NavState<T> state(T const* const* p) {
-    return {read_parameters<Sophus::SO3<T>>(p[0]), Eigen::Map<const Vector3<T>>(p[1]),
-            Eigen::Map<const Vector3<T>>(p[2]), 0.0};
+    return {read_parameters<Sophus::SO3<T>>(p[0]), Eigen::Map<const Eigen::Vector3<T>>(p[1]),
+            Eigen::Map<const Eigen::Vector3<T>>(p[2]), 0.0};
   }
   template <typename T>
   static ImuBias<T> biases(const T* p) {
-    return {Eigen::Map<const Vector3<T>>(p), Eigen::Map<const Vector3<T>>(p + 3)};
+    return {Eigen::Map<const Eigen::Vector3<T>>(p), Eigen::Map<const Eigen::Vector3<T>>(p + 3)};
   }
 
   template <typename T>
@@ -89,7 +89,7 @@ struct Functor {
     const auto fixed = preintegrated<T>(1, 30, {bias.gyro.cast<T>(), bias.accel.cast<T>()});
     Eigen::Map<PreintegrationResidual<T>>{residuals} =
         weight.cast<T>() * preintegration_residual(fixed, state(p), biases(p[3]), state(p + 4), biases(p[7]),
-                                                   Vector3<T>(gravity.cast<T>()));
+                                                   Eigen::Vector3<T>(gravity.cast<T>()));
     return true;
   }
 };

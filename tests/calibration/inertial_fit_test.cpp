@@ -29,8 +29,8 @@ using Curve = Spline<G, 4>;
 template <typename G>
 Tangent<G> pose_deviation() {
   Tangent<G> deviation;
-  deviation << Vector3<double>::Constant(SplitPose<G> ? rotation_noise : position_noise),
-      Vector3<double>::Constant(SplitPose<G> ? position_noise : rotation_noise);
+  deviation << Eigen::Vector3<double>::Constant(SplitPose<G> ? rotation_noise : position_noise),
+      Eigen::Vector3<double>::Constant(SplitPose<G> ? position_noise : rotation_noise);
   return deviation;
 }
 

@@ -62,9 +62,9 @@ void check_term(const Term& term, const std::string& parameters) {
         model.apply(stamp, state);
         good = !std::isnan(stamp.offset);
       } else {
-        const Vector3<Scalar> value(Scalar(0), Scalar(i), Scalar(-9.8));
-        ImuSensorSample<Scalar> sample{{value, Vector3<Scalar>::Constant(Scalar(0.1)), interval, i == 0, elapsed},
-                                       {value, value}};
+        const Eigen::Vector3<Scalar> value(Scalar(0), Scalar(i), Scalar(-9.8));
+        ImuSensorSample<Scalar> sample{
+            {value, Eigen::Vector3<Scalar>::Constant(Scalar(0.1)), interval, i == 0, elapsed}, {value, value}};
         model.apply(sample, state);
         good = !sample.value.hasNaN() && !sample.bias.hasNaN();
       }
@@ -88,8 +88,8 @@ void check(const auto& make) {
 }
 
 template <typename Scalar>
-Matrix3<Scalar> matrix(Scalar a, Scalar b, Scalar c) {
-  return (Matrix3<Scalar>() << a, b, c, b, c, a, c, a, -b).finished();
+Eigen::Matrix3<Scalar> matrix(Scalar a, Scalar b, Scalar c) {
+  return (Eigen::Matrix3<Scalar>() << a, b, c, b, c, a, c, a, -b).finished();
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE("No accepted parameter of a term makes a reading that is no n
   check<S>([](S a, S b, S) { return Spikes(a, b); });
   check<S>([](S a, S b, S) { return StuckReadings<S>(a, b); });
   check<S>([](S a, S b, S c) {
-    Matrix3<S> correlation = Matrix3<S>::Identity();
+    Eigen::Matrix3<S> correlation = Eigen::Matrix3<S>::Identity();
     correlation(0, 1) = correlation(1, 0) = b;
     return CorrelatedNoise(P{a, c, a}, correlation);
   });
@@ -146,7 +146,7 @@ TEMPLATE_TEST_CASE("A damping ratio of any size is right or refused", "", float,
       check_term<S>(filter, message(damping));
       // Two lags far apart: the slow one has the time constant 2ζ/ω.
       StateOf<SecondOrderBandwidth<S>, 3> state{};
-      SensorSample<S> sample = testing::sample_with<S>(Vector3<S>::Zero());
+      SensorSample<S> sample = testing::sample_with<S>(Eigen::Vector3<S>::Zero());
       sample.interval = damping / S(1000);
       filter.apply(sample, state);
       for (int i = 0; i < 2; ++i) {

@@ -19,7 +19,8 @@ constexpr Scalar nan = std::numeric_limits<Scalar>::quiet_NaN();
 
 /// The sample at `elapsed` of a run at 100 Hz, with that much in value and bias before the term.
 template <typename Scalar = double>
-ImuSensorSample<Scalar> sample_with(const Vector3<Scalar>& value, const Vector3<Scalar>& bias = Vector3<Scalar>::Zero(),
+ImuSensorSample<Scalar> sample_with(const Eigen::Vector3<Scalar>& value,
+                                    const Eigen::Vector3<Scalar>& bias = Eigen::Vector3<Scalar>::Zero(),
                                     Scalar elapsed = Scalar(0)) {
   return {{value, bias, Scalar(1) / Scalar(100), elapsed == Scalar(0), elapsed}, {value, value}};
 }
@@ -35,11 +36,11 @@ ImuSensorSample<Scalar> applied(const Term& term, ImuSensorSample<Scalar> sample
 /// What a linear term makes of input(t) at the given times, with twice the input as the bias: the bias that comes out
 /// must be twice the reading.
 template <typename Term, typename Scalar>
-std::vector<Vector3<Scalar>> responses(const Term& term, const std::vector<Scalar>& times, const auto& input) {
+std::vector<Eigen::Vector3<Scalar>> responses(const Term& term, const std::vector<Scalar>& times, const auto& input) {
   StateOf<Term> state{};
-  std::vector<Vector3<Scalar>> outputs;
+  std::vector<Eigen::Vector3<Scalar>> outputs;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const Vector3<Scalar> value = input(times[i]), bias = Scalar(2) * value;
+    const Eigen::Vector3<Scalar> value = input(times[i]), bias = Scalar(2) * value;
     const Scalar interval = i == 0 ? times[1] - times[0] : times[i] - times[i - 1];
     SensorSample<Scalar> sample{value, bias, interval, i == 0, times[i] - times[0]};
     term.apply(sample, state);

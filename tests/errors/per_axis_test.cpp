@@ -80,7 +80,7 @@ TEST_CASE("What must be finite may be negative") {
   CHECK_THROWS_WITH(require_finite("T", "p", PerAxis<double>(1, not_a_number, 1)),
                     "T: p is nan, expected a finite number");
   CHECK_NOTHROW(require_finite("T", "p", PerAxis<double>(-1)));
-  Matrix3<double> matrix = -Matrix3<double>::Identity();
+  Eigen::Matrix3<double> matrix = -Eigen::Matrix3<double>::Identity();
   CHECK_NOTHROW(require_finite("T", "p", matrix));
   matrix(2, 1) = infinity;
   CHECK_THROWS_WITH(require_finite("T", "p", matrix), "T: p is inf, expected a finite number");

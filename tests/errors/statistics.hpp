@@ -71,8 +71,8 @@ template <typename Scalar, typename Generator = Xoshiro256, typename... Terms>
   double elapsed = 0;
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     if (i > 0) elapsed += intervals[i];
-    SensorSample<Scalar> sample{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), static_cast<Scalar>(intervals[i]),
-                                i == 0, static_cast<Scalar>(elapsed)};
+    SensorSample<Scalar> sample{Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero(),
+                                static_cast<Scalar>(intervals[i]), i == 0, static_cast<Scalar>(elapsed)};
     model.apply(sample, state);
     for (int axis = 0; axis < 3; ++axis)
       result.axes[static_cast<std::size_t>(axis)].push_back(static_cast<double>(sample.value[axis]));

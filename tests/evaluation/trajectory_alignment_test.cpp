@@ -29,7 +29,7 @@ SimilarityTransform<Scalar> some_transform() {
 
 template <typename Scalar>
 Points<Scalar> applied(const SimilarityTransform<Scalar>& transform, Points<Scalar> points) {
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = transform(Vector3<Scalar>(points.col(i)));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = transform(Eigen::Vector3<Scalar>(points.col(i)));
   return points;
 }
 

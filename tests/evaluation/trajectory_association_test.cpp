@@ -21,7 +21,7 @@ std::vector<Stamped<G, Time>> poses_at(const std::vector<Time>& times) {
   std::vector<Stamped<G, Time>> poses;
   for (const Time time : times) {
     const auto x = static_cast<ScalarOf<G>>(poses.size());
-    poses.push_back({time, make_pose<G>({}, Vector3<ScalarOf<G>>(x, 0, 0))});
+    poses.push_back({time, make_pose<G>({}, Eigen::Vector3<ScalarOf<G>>(x, 0, 0))});
   }
   return poses;
 }

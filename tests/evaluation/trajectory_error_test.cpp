@@ -19,7 +19,7 @@ template <typename G>
 using Pairs = std::vector<PosePair<G, double>>;
 
 template <typename G>
-G pose(const Vector3<ScalarOf<G>>& turn, const Vector3<ScalarOf<G>>& p) {
+G pose(const Eigen::Vector3<ScalarOf<G>>& turn, const Eigen::Vector3<ScalarOf<G>>& p) {
   return make_pose<G>(GroupTraits<Sophus::SO3<ScalarOf<G>>>::exp(turn), p);
 }
 

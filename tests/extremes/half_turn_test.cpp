@@ -9,12 +9,12 @@ namespace {
 
 /// A half turn about an axis, as a quaternion with w exactly zero, of either sign.
 template <typename Scalar>
-Sophus::SO3<Scalar> half_turn(const Vector3<Scalar>& axis, Scalar w = 0) {
+Sophus::SO3<Scalar> half_turn(const Eigen::Vector3<Scalar>& axis, Scalar w = 0) {
   return rotation_from_unit_quaternion<Scalar>({w, axis.x(), axis.y(), axis.z()});
 }
 
 template <typename Scalar>
-Sophus::SO3<Scalar> about(const Vector3<Scalar>& axis, Long angle) {
+Sophus::SO3<Scalar> about(const Eigen::Vector3<Scalar>& axis, Long angle) {
   const auto s = static_cast<Scalar>(std::sin(angle / 2));
   return rotation_from_unit_quaternion<Scalar>(
       {static_cast<Scalar>(std::cos(angle / 2)), s * axis.x(), s * axis.y(), s * axis.z()});
@@ -25,7 +25,7 @@ Sophus::SO3<Scalar> about(const Vector3<Scalar>& axis, Long angle) {
 TEMPLATE_TEST_CASE("Exactly pi: the axis is that of the quaternion as it is written", "", float, double, long double) {
   using Scalar = TestType;
   using Traits = GroupTraits<Sophus::SO3<Scalar>>;
-  const Vector3<Scalar> axis(Scalar(0.6L), 0, Scalar(-0.8L));
+  const Eigen::Vector3<Scalar> axis(Scalar(0.6L), 0, Scalar(-0.8L));
   const auto half_circle = static_cast<Scalar>(pi);
   const Sophus::SO3<Scalar> identity;
   const Scalar tolerance = 8 * std::numeric_limits<Scalar>::epsilon();  // of π: axis and product each rounded twice
@@ -46,7 +46,7 @@ TEMPLATE_TEST_CASE("A curve over half turns is valid, and the limit of those ove
   using Scalar = TestType;
   using G = Sophus::SO3<Scalar>;
   const UniformKnots knots{0.0, 0.1};
-  const Vector3<Scalar> axis(Scalar(0.6L), 0, Scalar(-0.8L));
+  const Eigen::Vector3<Scalar> axis(Scalar(0.6L), 0, Scalar(-0.8L));
   const Long step = std::is_same_v<Scalar, float> ? 1e-5L : 1e-8L;
   // Back and forth: identity, half turn, identity, …
   std::vector<G> exactly, nearly;
@@ -62,10 +62,10 @@ TEMPLATE_TEST_CASE("A curve over half turns is valid, and the limit of those ove
     CHECK(std::abs(Long(m.value.unit_quaternion().norm()) - 1) < limit * eps<Scalar>);
     REQUIRE((m.velocity.allFinite() && m.acceleration.allFinite() && m.jerk.allFinite()));
     // Increments differ by `step`; the derivatives multiply that by the basis' (largest: 1/interval^m).
-    const auto close = [&](const Vector3<Scalar>& a, const Vector3<Scalar>& b, Long factor) {
+    const auto close = [&](const Eigen::Vector3<Scalar>& a, const Eigen::Vector3<Scalar>& b, Long factor) {
       CHECK((a - b).norm() < static_cast<Scalar>(factor * (4 * step + 40 * eps<Scalar>)));
     };
-    close(increment<G>(m.value, below.value), Vector3<Scalar>::Zero(), 1);
+    close(increment<G>(m.value, below.value), Eigen::Vector3<Scalar>::Zero(), 1);
     close(m.velocity, below.velocity, 10);
     close(m.acceleration, below.acceleration, 100);
     close(m.jerk, below.jerk, 1000);

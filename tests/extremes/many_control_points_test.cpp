@@ -25,7 +25,7 @@ std::vector<SO3xR3<Scalar>> long_walk() {
     const Eigen::Vector3d phi(std::sin(a), std::cos(0.7 * a), std::sin(0.3 * a));
     const Eigen::Quaterniond q = rotation_exp<double>(phi);
     points.push_back({rotation_from_unit_quaternion<Scalar>(q.cast<Scalar>()),
-                      Vector3<Scalar>(Scalar(a), Scalar(std::sin(a)), Scalar(1))});
+                      Eigen::Vector3<Scalar>(Scalar(a), Scalar(std::sin(a)), Scalar(1))});
   }
   return points;
 }

@@ -19,8 +19,9 @@ std::vector<G> places(double size, double offset) {
   for (int i = 0; i < 8; ++i) {
     const Tangent<G> tau = random.tangent<G>(1);
     G x = GroupTraits<G>::exp(tau);
-    const Vector3<double> direction = random.tangent<Vector3<double>>();
-    const Vector3<Scalar> p = (direction * size + Vector3<double>(1, -2, 3) * offset).template cast<Scalar>();
+    const Eigen::Vector3<double> direction = random.tangent<Eigen::Vector3<double>>();
+    const Eigen::Vector3<Scalar> p =
+        (direction * size + Eigen::Vector3<double>(1, -2, 3) * offset).template cast<Scalar>();
     if constexpr (L::translations == 2) {
       x.translation() = p.template head<2>();
     } else {

@@ -34,7 +34,7 @@ struct Sizes {
 };
 
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> vector(const Row& row, const char* column) {
+[[nodiscard]] Eigen::Vector3<Scalar> vector(const Row& row, const char* column) {
   return input_vector<Scalar, 3>(row, column);
 }
 
@@ -43,7 +43,7 @@ template <typename Scalar>
 /// R = exp(ωt), p = p₀ + v₀t + at²/2, from the library's pieces.
 template <typename Scalar>
 struct ConstantRateAndAcceleration {
-  Vector3<Scalar> omega, a, v0, p0;
+  Eigen::Vector3<Scalar> omega, a, v0, p0;
 
   template <int D>
   [[nodiscard]] Motion<SO3xR3<Scalar>, D> evaluate(Scalar t) const {
@@ -70,7 +70,7 @@ void compare_truth(const Row& row, Grader<Scalar>& grader, const auto& motion, l
   };
   const auto q = row.outputs("q"), p = row.outputs("p"), v = row.outputs("v"), a = row.outputs("a");
   const auto omega = row.outputs("omega"), alpha = row.outputs("alpha");
-  const Vector3<Scalar> gravity = vector<Scalar>(row, "g");
+  const Eigen::Vector3<Scalar> gravity = vector<Scalar>(row, "g");
   const splinertia::Mounting<Scalar> arm{{}, vector<Scalar>(row, "lever")};
   Sizes sizes;
   // Harmonic motion: each derivative is as large as the rate times the one below, wherever the phase stands.
@@ -124,7 +124,7 @@ void compare_reading(const Row& row, Grader<Scalar>& grader,
   using std::chrono::nanoseconds;
   const nanoseconds t(row.integer64("t"));
   const auto m = spline.template at<2>(t);
-  const Vector3<Scalar> gravity = vector<Scalar>(row, "g");
+  const Eigen::Vector3<Scalar> gravity = vector<Scalar>(row, "g");
   const splinertia::Mounting<Scalar> arm{read_unit_rotation<Scalar>(row.inputs<Scalar>("q_bi"), 0),
                                          vector<Scalar>(row, "lever")};
 
@@ -160,8 +160,9 @@ void compare_reading(const Row& row, Grader<Scalar>& grader,
   grader.check("omega_b", flat(omega), row.outputs("omega_b"), {sizes.omega, cond.omega});
   grader.check("alpha_b", flat(splinertia::angular_acceleration(m)), row.outputs("alpha_b"), {sizes.alpha, cond.alpha});
   const auto imu = splinertia::ideal_imu(m, gravity, arm);
-  grader.check("gyro", flat(Vector3<Scalar>(imu.gyro + bg)), row.outputs("gyro"), {sizes.omega, cond.omega});
-  grader.check("accel", flat(Vector3<Scalar>(imu.accel + ba)), row.outputs("accel"), {sizes.force(), cond.force()});
+  grader.check("gyro", flat(Eigen::Vector3<Scalar>(imu.gyro + bg)), row.outputs("gyro"), {sizes.omega, cond.omega});
+  grader.check("accel", flat(Eigen::Vector3<Scalar>(imu.accel + ba)), row.outputs("accel"),
+               {sizes.force(), cond.force()});
 }
 
 template <typename Scalar, typename G>

@@ -25,7 +25,7 @@ using std::chrono::nanoseconds;
 template <typename Scalar>
 struct Interval {
   nanoseconds length;
-  Vector3<Scalar> gyro, gyro_slope, accel, accel_slope;
+  Eigen::Vector3<Scalar> gyro, gyro_slope, accel, accel_slope;
   [[nodiscard]] Scalar seconds() const { return splinertia::to_seconds<Scalar>(length); }
 };
 
@@ -34,8 +34,8 @@ template <typename Scalar>
   const auto lengths = split(row.text("h_ns"), ' ');
   const auto w0 = row.inputs<Scalar>("w0"), w1 = row.inputs<Scalar>("w1");
   const auto a0 = row.inputs<Scalar>("a0"), a1 = row.inputs<Scalar>("a1");
-  const auto slope = [](const std::vector<Scalar>& values, std::size_t i) -> Vector3<Scalar> {
-    if (values.empty()) return Vector3<Scalar>::Zero();
+  const auto slope = [](const std::vector<Scalar>& values, std::size_t i) -> Eigen::Vector3<Scalar> {
+    if (values.empty()) return Eigen::Vector3<Scalar>::Zero();
     return read_vector(values, i);
   };
   std::vector<Interval<Scalar>> intervals;
@@ -75,7 +75,7 @@ struct Sizes {
 template <typename Scalar>
 [[nodiscard]] Sizes natural_sizes(const std::vector<Interval<Scalar>>& intervals,
                                   const splinertia::ImuBias<Scalar>& bias) {
-  const auto norm = [](const Vector3<Scalar>& v) { return static_cast<long double>(v.stableNorm()); };
+  const auto norm = [](const Eigen::Vector3<Scalar>& v) { return static_cast<long double>(v.stableNorm()); };
   Sizes sizes;
   for (const auto& i : intervals) {
     const auto h = static_cast<long double>(i.seconds());
@@ -115,7 +115,8 @@ template <typename Scalar>
     preintegrator.push(Sample{time, i.gyro, i.accel});
     time += i.length;
   }
-  preintegrator.push(Sample{time, Vector3<Scalar>::Constant(9), Vector3<Scalar>::Constant(9)});  // is not looked at
+  preintegrator.push(
+      Sample{time, Eigen::Vector3<Scalar>::Constant(9), Eigen::Vector3<Scalar>::Constant(9)});  // is not looked at
   preintegrator.finish();
   return preintegrator.result();
 }

@@ -35,8 +35,8 @@ struct Sinusoids {
   }
   /// Rounded once, as a log has it.
   template <typename Scalar>
-  [[nodiscard]] Vector3<Scalar> at(long double t) const {
-    Vector3<Scalar> v;
+  [[nodiscard]] Eigen::Vector3<Scalar> at(long double t) const {
+    Eigen::Vector3<Scalar> v;
     for (std::size_t i = 0; i < 3; ++i) {
       v[static_cast<Eigen::Index>(i)] =
           static_cast<Scalar>(bias.at(i) + amplitude.at(i) * std::sin(frequency.at(i) * t + phase.at(i)));
@@ -66,8 +66,8 @@ struct Run {
     using Time = std::conditional_t<std::is_same_v<Scalar, long double>, long double, double>;
     using State = splinertia::NavState<Scalar, Time>;
     const auto end = row.input<Time>("t");
-    const Vector3<Scalar> v0 = input_vector<Scalar, 3>(row, "v0"), p0 = input_vector<Scalar, 3>(row, "p0"),
-                          gravity = input_vector<Scalar, 3>(row, "g");
+    const Eigen::Vector3<Scalar> v0 = input_vector<Scalar, 3>(row, "v0"), p0 = input_vector<Scalar, 3>(row, "p0"),
+                                 gravity = input_vector<Scalar, 3>(row, "g");
     splinertia::Integrator<Scheme, Scalar, Time> integrator(
         State{read_unit_rotation<Scalar>(row.inputs<Scalar>("q0"), 0), v0, p0, Time(0)}, gravity);
     long double turn = 0, push = 0;

@@ -16,7 +16,7 @@ TEMPLATE_TEST_CASE("a pose of either kind is made and read alike", "[group]", SO
   STATIC_CHECK(Pose<TestType>);
   STATIC_CHECK(SplitPose<TestType> != RigidPose<TestType>);
   const auto R_WB = GroupTraits<Sophus::SO3<Scalar>>::exp({Scalar(1), Scalar(-2), Scalar(0.5)});
-  const Vector3<Scalar> p_WB{Scalar(1), Scalar(2), Scalar(3)};
+  const Eigen::Vector3<Scalar> p_WB{Scalar(1), Scalar(2), Scalar(3)};
   const auto pose = make_pose<TestType>(R_WB, p_WB);
   CHECK(rotation(pose).unit_quaternion().coeffs() == R_WB.unit_quaternion().coeffs());  // to the bit
   CHECK(position(pose) == p_WB);

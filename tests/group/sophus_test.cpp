@@ -78,7 +78,7 @@ TEMPLATE_TEST_CASE("large positions cost an increment nothing", "[group]", float
   using G = Sophus::SE3<Scalar>;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
   // 2^20 m and a step of 2^−3 m: exact in float, too. Through x⁻¹ y the error would be eps 2^20.
-  const Vector3<Scalar> p(Scalar(1 << 20), Scalar(-(1 << 20)), Scalar(1 << 19)),
+  const Eigen::Vector3<Scalar> p(Scalar(1 << 20), Scalar(-(1 << 20)), Scalar(1 << 19)),
       step(Scalar(0.125), Scalar(-0.25), Scalar(0.125));
   laws::Draws draw(52);
   for (int i = 0; i < 50; ++i) {
@@ -87,9 +87,9 @@ TEMPLATE_TEST_CASE("large positions cost an increment nothing", "[group]", float
     G y = x;
     y.translation() = p + step;
     const Tangent<G> d = increment<G>(x, y);
-    const Vector3<Scalar> expected = x.so3().unit_quaternion().toRotationMatrix().transpose() * step;
+    const Eigen::Vector3<Scalar> expected = x.so3().unit_quaternion().toRotationMatrix().transpose() * step;
     CHECK((d.template head<3>() - expected).norm() <= 8 * eps * step.norm());
-    CHECK(d.template tail<3>() == Vector3<Scalar>::Zero());
+    CHECK(d.template tail<3>() == Eigen::Vector3<Scalar>::Zero());
   }
 }
 

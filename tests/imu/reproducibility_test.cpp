@@ -57,11 +57,11 @@ template <typename Scalar>
 std::uint64_t hash_of_all_terms(int n) {
   const auto model = all_terms<Scalar>();
   auto state = model.start(StreamKey(2026) / "accel");
-  const Vector3<Scalar> truth(Scalar(0.125), Scalar(-0.5), Scalar(9.80665));
+  const Eigen::Vector3<Scalar> truth(Scalar(0.125), Scalar(-0.5), Scalar(9.80665));
   std::uint64_t hash = 0;
   for (int i = 0; i < n; ++i) {
-    SensorSample<Scalar> sample{truth, Vector3<Scalar>::Zero(), i % 100 == 0 ? Scalar(0.0075) : Scalar(0.005), i == 0,
-                                Scalar(i) * Scalar(0.005)};
+    SensorSample<Scalar> sample{truth, Eigen::Vector3<Scalar>::Zero(), i % 100 == 0 ? Scalar(0.0075) : Scalar(0.005),
+                                i == 0, Scalar(i) * Scalar(0.005)};
     model.apply(sample, state);
     for (int axis = 0; axis < 3; ++axis) {
       hash = scramble(hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(sample.value[axis])));

@@ -27,7 +27,7 @@ Spline<G, 4> random_curve() {
 
 /// As in spline/sample_test.cpp: the same where nothing is fused.
 template <typename Scalar>
-void check_same(const Vector3<Scalar>& got, const Vector3<Scalar>& expected) {
+void check_same(const Eigen::Vector3<Scalar>& got, const Eigen::Vector3<Scalar>& expected) {
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   CHECK((got - expected).cwiseAbs().maxCoeff() <= 40 * std::numeric_limits<Scalar>::epsilon() * (1 + expected.norm()));
 #else
@@ -42,7 +42,7 @@ TEMPLATE_TEST_CASE("samples are what ideal_imu() gives", "", SO3xR3<double>, SO3
   using G = TestType;
   using Scalar = ScalarOf<G>;
   const auto curve = random_curve<G>();
-  const Vector3<Scalar> gravity(Scalar(0.1), Scalar(-0.2), Scalar(-9.7));
+  const Eigen::Vector3<Scalar> gravity(Scalar(0.1), Scalar(-0.2), Scalar(-9.7));
   const Mounting<Scalar> arm{GroupTraits<Sophus::SO3<Scalar>>::exp({Scalar(0.3), Scalar(1), Scalar(-2)}),
                              {Scalar(0.5), Scalar(-0.1), Scalar(0.2)}};
   const SampleTimes<double> times{0.03, 0.004};

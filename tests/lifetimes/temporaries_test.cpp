@@ -31,7 +31,7 @@ std::vector<double> signal() {
 }
 using Pose3 = SO3xR3<long double>;
 Spline<Pose3, 4> pose_curve() {
-  using R3 = Vector3<long double>;
+  using R3 = Eigen::Vector3<long double>;
   std::vector<Pose3> points;
   for (int i = 0; i < 20; ++i) points.push_back({Sophus::SO3<long double>::exp(R3(0.1L * i, 0, 0)), R3(i, 0, 1)});
   return {{.start = 0, .interval = 0.1}, points};

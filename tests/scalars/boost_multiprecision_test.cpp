@@ -45,7 +45,7 @@ template struct splinertia::GroupTraits<Sophus::SE3<Real>>;
 template class splinertia::Spline<Sophus::SO3<Real>, 4>;
 template class splinertia::Spline<Sophus::SE3<Real>, 4>;
 template class splinertia::Spline<SO3xR3<Real>, 4>;
-template class splinertia::Spline<Vector3<Real>, 4>;
+template class splinertia::Spline<Eigen::Vector3<Real>, 4>;
 
 namespace {
 
@@ -69,7 +69,7 @@ Tangent<G> tangent(testing::Random& random, const Real& angle) {
   Tangent<G> tau = random.tangent<G>();
   if constexpr (!is_commutative<G>) {
     constexpr int at = RigidPose<G> ? 3 : 0;
-    const Vector3<Real> axis = tau.template segment<3>(at);
+    const Eigen::Vector3<Real> axis = tau.template segment<3>(at);
     tau.template segment<3>(at) = angle / sqrt(axis.squaredNorm()) * axis;
   }
   return tau;
@@ -83,8 +83,8 @@ std::vector<Real> angles() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("50 digits: exp, log and their Jacobians", "", Vector3<Real>, Sophus::SO3<Real>, Sophus::SE3<Real>,
-                   SO3xR3<Real>) {
+TEMPLATE_TEST_CASE("50 digits: exp, log and their Jacobians", "", Eigen::Vector3<Real>, Sophus::SO3<Real>,
+                   Sophus::SE3<Real>, SO3xR3<Real>) {
   using G = TestType;
   using Traits = GroupTraits<G>;
   testing::Random random(1);
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("50 digits: increments keep relative accuracy", "", Sophus::S
   }
 }
 
-TEMPLATE_TEST_CASE("50 digits: derivatives of a spline", "", Vector3<Real>, Sophus::SO3<Real>, Sophus::SE3<Real>,
+TEMPLATE_TEST_CASE("50 digits: derivatives of a spline", "", Eigen::Vector3<Real>, Sophus::SO3<Real>, Sophus::SE3<Real>,
                    SO3xR3<Real>) {
   using G = TestType;
   const auto check_order = [&]<int Order>() {
@@ -196,9 +196,9 @@ namespace {
 template <typename Scalar>
 auto error_terms() {
   const auto number = [](double x) { return PerAxis<Scalar>(Scalar(x)); };
-  const Matrix3<Scalar> skew{{Scalar(0), Scalar(0.25), Scalar(0)},
-                             {Scalar(-0.125), Scalar(0), Scalar(0)},
-                             {Scalar(0), Scalar(0.5), Scalar(0.25)}};
+  const Eigen::Matrix3<Scalar> skew{{Scalar(0), Scalar(0.25), Scalar(0)},
+                                    {Scalar(-0.125), Scalar(0), Scalar(0)},
+                                    {Scalar(0), Scalar(0.5), Scalar(0.25)}};
   const WarmUp<Scalar> warm_up(Scalar(20), Scalar(60), Scalar(10));
   return ErrorModel{ConstantBias{number(0.5)},
                     RandomWalk{number(0.25)},
@@ -208,7 +208,7 @@ auto error_terms() {
                     TemperatureBias{number(0.125), warm_up},
                     TemperatureScale{number(0.0625), warm_up},
                     ScaleFactor{number(0.125)},
-                    Misalignment{Matrix3<Scalar>(Matrix3<Scalar>::Identity() + skew)},
+                    Misalignment{Eigen::Matrix3<Scalar>(Eigen::Matrix3<Scalar>::Identity() + skew)},
                     GSensitivity{skew},
                     SinusoidalVibration{number(0.5), number(3)},
                     RandomVibration{number(0.5), number(3), number(0.25)},
@@ -245,7 +245,8 @@ TEST_CASE("50 digits: every error term makes of the same random numbers what it 
 }
 
 TEST_CASE("50 digits: rounding, and what is refused") {
-  SensorSample<Real> sample{Vector3<Real>::Constant(Real(7) / 3), Vector3<Real>::Zero(), Real(1), true, Real(0)};
+  SensorSample<Real> sample{Eigen::Vector3<Real>::Constant(Real(7) / 3), Eigen::Vector3<Real>::Zero(), Real(1), true,
+                            Real(0)};
   Quantization<Real>::State state;
   Quantization<Real>{Real("0.1")}.apply(sample, state);
   CHECK(sample.value[0] == 23 * Real("0.1"));

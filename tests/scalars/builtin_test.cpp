@@ -19,7 +19,7 @@ using std::chrono::nanoseconds;
 
 template class splinertia::Product<Sophus::SO3f, Eigen::Vector3f>;
 template class splinertia::Product<Sophus::SO3d, Eigen::Vector3d>;
-template class splinertia::Product<Sophus::SO3<long double>, Vector3<long double>>;
+template class splinertia::Product<Sophus::SO3<long double>, Eigen::Vector3<long double>>;
 
 template struct splinertia::UniformKnots<float>;
 template struct splinertia::UniformKnots<double>;
@@ -155,7 +155,7 @@ auto every_term() {
   const auto per_axis = [](double size) {
     return PerAxis<Scalar>(static_cast<Scalar>(size), static_cast<Scalar>(2 * size), static_cast<Scalar>(3 * size));
   };
-  const Matrix3<Scalar> skew{{0, Scalar(0.01), Scalar(0.02)}, {Scalar(-0.01), 0, 0}, {0, 0, Scalar(0.01)}};
+  const Eigen::Matrix3<Scalar> skew{{0, Scalar(0.01), Scalar(0.02)}, {Scalar(-0.01), 0, 0}, {0, 0, Scalar(0.01)}};
   const WarmUp<Scalar> warm_up(20, 60, 10);
   return ErrorModel{ConstantBias{per_axis(0.1)},
                     TurnOnBias{per_axis(0.1)},
@@ -166,8 +166,8 @@ auto every_term() {
                     TemperatureBias{per_axis(0.01), warm_up},
                     TemperatureScale{per_axis(0.001), warm_up},
                     ScaleFactor{per_axis(0.01)},
-                    Misalignment{Matrix3<Scalar>(Matrix3<Scalar>::Identity() + skew)},
-                    GSensitivity{Matrix3<Scalar>(skew / 10)},
+                    Misalignment{Eigen::Matrix3<Scalar>(Eigen::Matrix3<Scalar>::Identity() + skew)},
+                    GSensitivity{Eigen::Matrix3<Scalar>(skew / 10)},
                     SinusoidalVibration{per_axis(0.1), per_axis(7)},
                     RandomVibration{per_axis(0.1), per_axis(7), per_axis(0.1)},
                     FirstOrderBandwidth{per_axis(30)},
@@ -194,7 +194,7 @@ TEMPLATE_TEST_CASE("Every error term makes of the same random numbers the same i
   CHECK(run.size() == 641);
   auto expected = run_in_double.begin();
   for (const auto& r : run) {
-    const auto differ = [](const Vector3<Scalar>& a, const Eigen::Vector3d& b) {
+    const auto differ = [](const Eigen::Vector3<Scalar>& a, const Eigen::Vector3d& b) {
       return (a - b.template cast<Scalar>()).norm();
     };
     REQUIRE(std::abs(r.time - static_cast<Scalar>(expected->time)) < 32 * eps);

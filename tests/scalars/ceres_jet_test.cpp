@@ -68,7 +68,7 @@ template struct splinertia::GroupTraits<Sophus::SE3<Jet<4>>>;
 template class splinertia::Spline<Sophus::SO3<Jet<4>>, 4>;
 template class splinertia::Spline<Sophus::SE3<Jet<4>>, 4>;
 template class splinertia::Spline<SO3xR3<Jet<4>>, 4>;
-template class splinertia::Spline<Vector3<Jet<4>>, 4>;
+template class splinertia::Spline<Eigen::Vector3<Jet<4>>, 4>;
 
 TEMPLATE_TEST_CASE("Jets: exp and log have the group's Jacobians", "", Eigen::Vector3d, Sophus::SO3d, Sophus::SE3d,
                    SO3xR3<double>) {
@@ -172,7 +172,7 @@ TEST_CASE("Jets: a Spline of them takes time as a number") {
 TEST_CASE("Jets: a reading differentiates by the parameters of its errors") {
   // Two samples of a chain of errors as a function of one parameter of each.
   const auto gyro = []<typename T>(const std::array<T, 12>& p) {
-    Matrix3<T> matrix = Matrix3<T>::Identity(), sensitivity = Matrix3<T>::Zero();
+    Eigen::Matrix3<T> matrix = Eigen::Matrix3<T>::Identity(), sensitivity = Eigen::Matrix3<T>::Zero();
     matrix(0, 1) = p[3];
     sensitivity(1, 2) = p[4];
     const ErrorModel model{ConstantBias{PerAxis<T>(p[0])},
@@ -191,8 +191,8 @@ TEST_CASE("Jets: a reading differentiates by the parameters of its errors") {
     auto state = model.start(StreamKey(1));
     ImuSensorSample<T> sample;
     for (int i = 0; i < 3; ++i) {
-      const Vector3<T> omega(T(1.0 + i), T(2.0), T(3.0 * i)), force(T(4.0), T(5.0), T(6.0));
-      sample = {{omega, Vector3<T>::Zero(), T(0.125), i == 0, T(0.125 * i)}, {omega, force}};
+      const Eigen::Vector3<T> omega(T(1.0 + i), T(2.0), T(3.0 * i)), force(T(4.0), T(5.0), T(6.0));
+      sample = {{omega, Eigen::Vector3<T>::Zero(), T(0.125), i == 0, T(0.125 * i)}, {omega, force}};
       model.apply(sample, state);
     }
     return sample.value;
@@ -201,7 +201,7 @@ TEST_CASE("Jets: a reading differentiates by the parameters of its errors") {
   using T = Jet<12>;
   std::array<T, 12> jets;
   for (int i = 0; i < 12; ++i) jets[static_cast<std::size_t>(i)] = T(parameters[static_cast<std::size_t>(i)], i);
-  const Vector3<T> automatic = gyro(jets);
+  const Eigen::Vector3<T> automatic = gyro(jets);
   CHECK(largest(values(automatic) - gyro(parameters)) < 1e-13);
   const auto J = derivative(automatic);
   const double h = 1e-4;

@@ -20,10 +20,10 @@ void check_against_differences() {
   testing::Random random(Order);
   std::vector<G> points = random.walk<G>(Order);
   const auto basis = uniform_basis<Order, 2>(Scalar(37) / 100, Scalar(1) / 2);
-  const Vector3<Scalar> gravity(Scalar(0.7), Scalar(-1.5), Scalar(-9.5));
+  const Eigen::Vector3<Scalar> gravity(Scalar(0.7), Scalar(-1.5), Scalar(-9.5));
   const auto at = [&] { return evaluate<2>(std::span<const G, Order>(points), basis); };
   const auto linear = linearize<2>(std::span<const G, Order>(points), basis);
-  const Vector3<Scalar> force = specific_force(linear, gravity);
+  const Eigen::Vector3<Scalar> force = specific_force(linear, gravity);
 
   // Central differences: of derivatives of the size of 100, h²/6 of them is cut off and ε/h rounded, least for this h.
   const Scalar h = std::cbrt(std::numeric_limits<Scalar>::epsilon()), bound = 100 * h * h;
@@ -37,7 +37,7 @@ void check_against_differences() {
       points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * -h));
       const auto minus = at();
       points[i] = kept;
-      const auto difference = [&](const auto& f) { return Vector3<Scalar>((f(plus) - f(minus)) / (2 * h)); };
+      const auto difference = [&](const auto& f) { return Eigen::Vector3<Scalar>((f(plus) - f(minus)) / (2 * h)); };
       const auto omega = difference([](const auto& m) { return angular_velocity(m); });
       const auto alpha = difference([](const auto& m) { return angular_acceleration(m); });
       const auto f = difference([&](const auto& m) { return specific_force(m, gravity); });

@@ -38,7 +38,7 @@ TEMPLATE_TEST_CASE("Millions of small rotations leave the quaternion a unit one"
   using Scalar = TestType;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
   Sophus::SO3<Scalar> R;
-  const Vector3<Scalar> step(Scalar(1e-3), Scalar(-2e-3), Scalar(3e-3));
+  const Eigen::Vector3<Scalar> step(Scalar(1e-3), Scalar(-2e-3), Scalar(3e-3));
   const auto r = rotation_exp<Scalar>(step);
   constexpr int n = 1'000'000;
   for (int i = 0; i < n; ++i) R = advance_attitude<Scalar>(R.unit_quaternion(), r);

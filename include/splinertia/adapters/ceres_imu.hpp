@@ -23,16 +23,16 @@ class CeresGyroscopeResidual final : public detail::CeresResidual<G, Order, 3> {
   using Basis = CumulativeBasis<double, Order, 1>;
 
   /// The basis is that of the curve's knots at the time of the sample, e.g. UniformKnots::basis(t, n).basis.
-  CeresGyroscopeResidual(const Basis& basis, const Vector3<double>& measured,
-                         const Matrix3<double>& square_root_information)
+  CeresGyroscopeResidual(const Basis& basis, const Eigen::Vector3<double>& measured,
+                         const Eigen::Matrix3<double>& square_root_information)
       : Base({3}), basis_(basis), measured_(measured), weight_(square_root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
-    const Eigen::Map<const Vector3<double>> bias(parameters[Base::control_point_blocks]);
+    const Eigen::Map<const Eigen::Vector3<double>> bias(parameters[Base::control_point_blocks]);
     const auto write_residual = [&](const Motion<G, 1>& curve) {
-      Eigen::Map<Vector3<double>>{residuals} =
+      Eigen::Map<Eigen::Vector3<double>>{residuals} =
           weight_ * (curve.velocity.template segment<3>(rotation_row) + bias - measured_);
     };
     if (jacobians == nullptr) {
@@ -52,8 +52,8 @@ class CeresGyroscopeResidual final : public detail::CeresResidual<G, Order, 3> {
  private:
   static constexpr int rotation_row = DofOf<G> - 3;
   Basis basis_;
-  Vector3<double> measured_;
-  Matrix3<double> weight_;
+  Eigen::Vector3<double> measured_;
+  Eigen::Matrix3<double> weight_;
 };
 
 /// r = W (Rᵀ(p̈ − g) + b − z): an accelerometer's reading z, m/s², against the curve's specific force and the bias b.
@@ -69,26 +69,27 @@ class CeresAccelerometerResidual final : public detail::CeresResidual<G, Order, 
   using Basis = CumulativeBasis<double, Order, 2>;
 
   /// The basis is that of the curve's knots at the time of the sample, e.g. UniformKnots::basis(t, n).basis.
-  CeresAccelerometerResidual(const Basis& basis, const Vector3<double>& measured,
-                             const Matrix3<double>& square_root_information)
+  CeresAccelerometerResidual(const Basis& basis, const Eigen::Vector3<double>& measured,
+                             const Eigen::Matrix3<double>& square_root_information)
       : Base({3, 3}), basis_(basis), measured_(measured), weight_(square_root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const auto points = detail::read_control_points<G, Order>(parameters);
     const typename Base::Span span(points);
-    const Eigen::Map<const Vector3<double>> bias(parameters[Base::control_point_blocks]);
-    const Vector3<double> gravity = Eigen::Map<const Vector3<double>>(parameters[Base::control_point_blocks + 1]);
-    const auto write_residual = [&](const Vector3<double>& force) {
-      Eigen::Map<Vector3<double>>{residuals} = weight_ * (force + bias - measured_);
+    const Eigen::Map<const Eigen::Vector3<double>> bias(parameters[Base::control_point_blocks]);
+    const Eigen::Vector3<double> gravity =
+        Eigen::Map<const Eigen::Vector3<double>>(parameters[Base::control_point_blocks + 1]);
+    const auto write_residual = [&](const Eigen::Vector3<double>& force) {
+      Eigen::Map<Eigen::Vector3<double>>{residuals} = weight_ * (force + bias - measured_);
     };
     if (jacobians == nullptr) {
       write_residual(specific_force(evaluate<2>(span, basis_), gravity));
       return true;
     }
     const auto curve = linearize<2>(span, basis_);
-    const Vector3<double> force = specific_force(curve, gravity);
+    const Eigen::Vector3<double> force = specific_force(curve, gravity);
     write_residual(force);
-    const Matrix3<double> R_transposed =
+    const Eigen::Matrix3<double> R_transposed =
         weight_ * detail::rotation_matrix_transposed<double>(rotation(curve.value).unit_quaternion());
     for (std::size_t j = 0; j < points.size(); ++j) {
       Base::write_jacobian(jacobians, j, points[j], weight_ * specific_force_jacobian(curve, j, force, gravity));
@@ -100,8 +101,8 @@ class CeresAccelerometerResidual final : public detail::CeresResidual<G, Order, 
 
  private:
   Basis basis_;
-  Vector3<double> measured_;
-  Matrix3<double> weight_;
+  Eigen::Vector3<double> measured_;
+  Eigen::Matrix3<double> weight_;
 };
 
 }  // namespace splinertia

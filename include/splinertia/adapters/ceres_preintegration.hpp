@@ -66,7 +66,7 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
   using Preintegrated = PreintegratedImu<double, detail::ImuCovariance<double>>;
 
   /// Throws std::invalid_argument if the covariance is singular.
-  CeresPreintegrationResidual(const Preintegrated& imu, const Vector3<double>& gravity)
+  CeresPreintegrationResidual(const Preintegrated& imu, const Eigen::Vector3<double>& gravity)
       : imu_(imu), gravity_(gravity), weight_(detail::square_root_information(imu.covariance())) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
@@ -91,10 +91,10 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
     ImuBias<double> bias;
 
     explicit State(double const* const* parameters)
-        : state{read_parameters<Sophus::SO3d>(parameters[0]), Eigen::Map<const Vector3<double>>(parameters[1]),
-                Eigen::Map<const Vector3<double>>(parameters[2]), 0.0},
-          bias{Eigen::Map<const Vector3<double>>(parameters[3]), Eigen::Map<const Vector3<double>>(parameters[3] + 3)} {
-    }
+        : state{read_parameters<Sophus::SO3d>(parameters[0]), Eigen::Map<const Eigen::Vector3<double>>(parameters[1]),
+                Eigen::Map<const Eigen::Vector3<double>>(parameters[2]), 0.0},
+          bias{Eigen::Map<const Eigen::Vector3<double>>(parameters[3]),
+               Eigen::Map<const Eigen::Vector3<double>>(parameters[3] + 3)} {}
   };
 
   // Ceres passes a null pointer for each block that is held constant.
@@ -111,7 +111,7 @@ class CeresPreintegrationResidual final : public ceres::SizedCostFunction<15, 4,
   }
 
   Preintegrated imu_;
-  Vector3<double> gravity_;
+  Eigen::Vector3<double> gravity_;
   Eigen::Matrix<double, 15, 15> weight_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <splinertia/group/pose.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/motion/detail/tangent_parts.hpp>
 #include <splinertia/motion/kinematics.hpp>
 
 namespace splinertia {
@@ -14,9 +15,9 @@ namespace splinertia {
 ///   accel = R_BIᵀ (Rᵀ(p̈ − gravity) + α × p_BI + ω × (ω × p_BI)) + accel_bias
 template <typename Scalar>
 struct ImuCalibration {
-  Vector3<Scalar> gyro_bias = Vector3<Scalar>::Zero();   ///< rad/s
-  Vector3<Scalar> accel_bias = Vector3<Scalar>::Zero();  ///< m/s²
-  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
+  Eigen::Vector3<Scalar> gyro_bias = Eigen::Vector3<Scalar>::Zero();   ///< rad/s
+  Eigen::Vector3<Scalar> accel_bias = Eigen::Vector3<Scalar>::Zero();  ///< m/s²
+  Eigen::Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
   Mounting<Scalar> mounting{};
   double time_offset = 0;  ///< s: the motion's clock minus the IMU's
 };
@@ -41,18 +42,16 @@ template <Pose G>
   using Scalar = ScalarOf<G>;
   const auto& q = rotation(m.value).unit_quaternion();
   const auto& q_BI = calibration.mounting.R_BI.unit_quaternion();
-  const Vector3<Scalar>& l = calibration.mounting.p_BI;
-  const Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
-  Vector3<Scalar> alpha_rate, force_rate;
+  const Eigen::Vector3<Scalar>& l = calibration.mounting.p_BI;
+  const Eigen::Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
+  const Eigen::Vector3<Scalar> alpha_rate = detail::rotational_part<G>(m.jerk);
+  Eigen::Vector3<Scalar> force_rate = detail::translational_part<G>(m.jerk);
   if constexpr (SplitPose<G>) {
-    alpha_rate = m.jerk.template head<3>();
-    force_rate =
-        rotate_inverse<Scalar>(q, m.jerk.template tail<3>()) - omega.cross(specific_force(m, calibration.gravity));
+    force_rate = rotate_inverse<Scalar>(q, force_rate) - omega.cross(specific_force(m, calibration.gravity));
   } else {
-    alpha_rate = m.jerk.template tail<3>();
-    const Vector3<Scalar> v = m.velocity.template head<3>(), v_dot = m.acceleration.template head<3>();
-    force_rate = m.jerk.template head<3>() + alpha.cross(v) + omega.cross(v_dot) +
-                 omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
+    const Eigen::Vector3<Scalar> v = detail::translational_part<G>(m.velocity);
+    const Eigen::Vector3<Scalar> v_dot = detail::translational_part<G>(m.acceleration);
+    force_rate += alpha.cross(v) + omega.cross(v_dot) + omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
   }
   force_rate += alpha_rate.cross(l) + alpha.cross(omega.cross(l)) + omega.cross(alpha.cross(l));
   Eigen::Matrix<Scalar, 6, 1> rate;

@@ -24,7 +24,7 @@ struct CalibratedImu {
   /// Standard deviations, as the given noise of samples and poses implies; 0 for what is not estimated. For what the
   /// motion does not show they are infinite or huge, and the estimate is arbitrary.
   struct {
-    Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
+    Eigen::Vector3<Scalar> gyro_bias, accel_bias, lever_arm;
     Eigen::Matrix<Scalar, 2, 1> gravity_direction;  ///< rad, towards each column of gravity_tangent()
     Scalar time_offset;
   } standard_deviation;

@@ -21,10 +21,10 @@ namespace splinertia {
 template <typename Scalar>
 struct SimilarityTransform {
   Sophus::SO3<Scalar> rotation{};
-  Vector3<Scalar> translation = Vector3<Scalar>::Zero();  ///< m
+  Eigen::Vector3<Scalar> translation = Eigen::Vector3<Scalar>::Zero();  ///< m
   Scalar scale = Scalar(1);
 
-  [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& p) const {
+  [[nodiscard]] Eigen::Vector3<Scalar> operator()(const Eigen::Vector3<Scalar>& p) const {
     return detail::rotate<Scalar>(rotation.unit_quaternion(), p * scale) + translation;
   }
   template <Pose G>
@@ -40,7 +40,7 @@ namespace detail {
 /// The mean of the columns, computed from their differences from the first: far from the origin a plain sum would lose
 /// digits.
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> centroid(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& points) {
+[[nodiscard]] Eigen::Vector3<Scalar> centroid(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic>& points) {
   return points.col(0) + (points.colwise() - points.col(0)).rowwise().mean();
 }
 
@@ -60,18 +60,18 @@ template <typename Scalar>
   }
   using std::sqrt;
   const Scalar count = static_cast<Scalar>(from.cols());
-  const Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
+  const Eigen::Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
   const Eigen::Matrix<Scalar, 3, Eigen::Dynamic> x = from.colwise() - mean_x, y = to.colwise() - mean_y;
   const Scalar variance_x = x.squaredNorm() / count, variance_y = y.squaredNorm() / count;
-  const Matrix3<Scalar> covariance = y * x.transpose() / count;
+  const Eigen::Matrix3<Scalar> covariance = y * x.transpose() / count;
   if (!is_finite(variance_x) || !is_finite(variance_y)) {
     refuse<std::invalid_argument>("fit_similarity: the points, or their squares, are not finite");
   }
 
-  const Eigen::JacobiSVD<Matrix3<Scalar>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector3<Scalar> d = svd.singularValues();
+  const Eigen::JacobiSVD<Eigen::Matrix3<Scalar>> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector3<Scalar> d = svd.singularValues();
   const bool mirrored = svd.matrixU().determinant() * svd.matrixV().determinant() < Scalar(0);
-  const Vector3<Scalar> s(Scalar(1), Scalar(1), mirrored ? Scalar(-1) : Scalar(1));
+  const Eigen::Vector3<Scalar> s(Scalar(1), Scalar(1), mirrored ? Scalar(-1) : Scalar(1));
   // The minimum is unique if d₂ + s d₃ > 0. The rounding error of this sum is that of the points times their spread.
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon() *
                           (from.cwiseAbs().maxCoeff() * sqrt(variance_y) + to.cwiseAbs().maxCoeff() * sqrt(variance_x));
@@ -81,7 +81,7 @@ template <typename Scalar>
                                   "(singular values of the covariance: ",
                                   d[0], ' ', d[1], ' ', d[2], " m^2)");
   }
-  const Eigen::Quaternion<Scalar> q(Matrix3<Scalar>(svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose()));
+  const Eigen::Quaternion<Scalar> q(Eigen::Matrix3<Scalar>(svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose()));
   SimilarityTransform<Scalar> result;
   result.rotation = rotation_from_unit_quaternion<Scalar>(q.normalized());
   if (with_scale) result.scale = d.dot(s) / variance_x;
@@ -110,7 +110,7 @@ template <typename Scalar>
                                   " points, expected the same number of both, and at least 2");
   }
   using std::hypot;
-  const Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
+  const Eigen::Vector3<Scalar> mean_x = centroid<Scalar>(from), mean_y = centroid<Scalar>(to);
   const Eigen::Matrix<Scalar, 2, Eigen::Dynamic> x = (from.colwise() - mean_x).template topRows<2>();
   const Eigen::Matrix<Scalar, 2, Eigen::Dynamic> y = (to.colwise() - mean_y).template topRows<2>();
   const Eigen::Matrix<Scalar, 2, 2> c = y * x.transpose();

@@ -69,8 +69,6 @@ template <typename G>
 using Jacobian = Eigen::Matrix<ScalarOf<G>, DofOf<G>, DofOf<G>>;
 
 // Eigen's own names: an alias of ours would be ambiguous in code that uses both namespaces.
-using Eigen::Matrix3;
-using Eigen::Vector3;
 
 /// A type with a complete GroupTraits. It requires only what evaluating a curve needs.
 template <typename G>

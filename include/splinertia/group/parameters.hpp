@@ -77,9 +77,11 @@ struct ParameterLayout<Sophus::SO2<Scalar>> {
   static constexpr int size = 2;
 
   static G read(const Scalar* numbers) { return detail::rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
-  static void write(const G& x, Scalar* numbers) { Eigen::Map<Vector2<Scalar>>{numbers} = x.unit_complex(); }
+  static void write(const G& x, Scalar* numbers) { Eigen::Map<Eigen::Vector2<Scalar>>{numbers} = x.unit_complex(); }
   /// i z, where z is the unit complex number of x.
-  static Vector2<Scalar> tangent_to_parameters(const G& x) { return detail::quarter_turn<Scalar>(x.unit_complex()); }
+  static Eigen::Vector2<Scalar> tangent_to_parameters(const G& x) {
+    return detail::quarter_turn<Scalar>(x.unit_complex());
+  }
   static Eigen::Matrix<Scalar, 1, 2> parameters_to_tangent(const G& x) { return tangent_to_parameters(x).transpose(); }
 };
 
@@ -101,7 +103,7 @@ struct ParameterLayout<Sophus::SO3<Scalar>> {
     const auto& q = x.unit_quaternion();
     const Scalar half(detail::Constant<Scalar>(1) / detail::Constant<Scalar>(2));
     Eigen::Matrix<Scalar, 4, 3> J;
-    J.template topRows<3>() = half * (detail::hat<Scalar>(q.vec()) + q.w() * Matrix3<Scalar>::Identity());
+    J.template topRows<3>() = half * (detail::hat<Scalar>(q.vec()) + q.w() * Eigen::Matrix3<Scalar>::Identity());
     J.template bottomRows<1>() = -half * q.vec().transpose();
     return J;
   }
@@ -120,12 +122,12 @@ struct ParameterLayout<Sophus::SE2<Scalar>> {
   static G read(const Scalar* numbers) {
     G x;
     x.so2() = Rotation::read(numbers);
-    x.translation() = Eigen::Map<const Vector2<Scalar>>(numbers + 2);
+    x.translation() = Eigen::Map<const Eigen::Vector2<Scalar>>(numbers + 2);
     return x;
   }
   static void write(const G& x, Scalar* numbers) {
     Rotation::write(x.so2(), numbers);
-    Eigen::Map<Vector2<Scalar>>{numbers + 2} = x.translation();
+    Eigen::Map<Eigen::Vector2<Scalar>>{numbers + 2} = x.translation();
   }
   static Eigen::Matrix<Scalar, 4, 3> tangent_to_parameters(const G& x) {
     Eigen::Matrix<Scalar, 4, 3> J = Eigen::Matrix<Scalar, 4, 3>::Zero();
@@ -147,12 +149,12 @@ struct ParameterLayout<Sophus::SE3<Scalar>> {
   static G read(const Scalar* numbers) {
     G x;
     x.so3() = Rotation::read(numbers);
-    x.translation() = Eigen::Map<const Vector3<Scalar>>(numbers + 4);
+    x.translation() = Eigen::Map<const Eigen::Vector3<Scalar>>(numbers + 4);
     return x;
   }
   static void write(const G& x, Scalar* numbers) {
     Rotation::write(x.so3(), numbers);
-    Eigen::Map<Vector3<Scalar>>{numbers + 4} = x.translation();
+    Eigen::Map<Eigen::Vector3<Scalar>>{numbers + 4} = x.translation();
   }
   /// The translation of x exp([ρ; φ]) is t + Rρ to first order.
   static Eigen::Matrix<Scalar, 7, 6> tangent_to_parameters(const G& x) {

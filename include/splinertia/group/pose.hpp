@@ -11,7 +11,7 @@ namespace splinertia {
 
 /// Rotation and position as a product of two groups. Tangents are [rotation; translation].
 template <typename Scalar>
-using SO3xR3 = Product<Sophus::SO3<Scalar>, Vector3<Scalar>>;
+using SO3xR3 = Product<Sophus::SO3<Scalar>, Eigen::Vector3<Scalar>>;
 
 template <typename G>
 concept SplitPose = std::same_as<G, SO3xR3<ScalarOf<G>>>;
@@ -38,7 +38,7 @@ template <Pose G>
 
 /// p_WB.
 template <Pose G>
-[[nodiscard]] const Vector3<ScalarOf<G>>& position(const G& pose) {
+[[nodiscard]] const Eigen::Vector3<ScalarOf<G>>& position(const G& pose) {
   if constexpr (SplitPose<G>) {
     return pose.template get<1>();
   } else {
@@ -48,7 +48,7 @@ template <Pose G>
 
 /// The pose with the rotation R_WB and the position p_WB.
 template <Pose G>
-[[nodiscard]] G make_pose(const Sophus::SO3<ScalarOf<G>>& R_WB, const Vector3<ScalarOf<G>>& p_WB) {
+[[nodiscard]] G make_pose(const Sophus::SO3<ScalarOf<G>>& R_WB, const Eigen::Vector3<ScalarOf<G>>& p_WB) {
   if constexpr (SplitPose<G>) {
     return {R_WB, p_WB};
   } else {

@@ -76,12 +76,12 @@ struct GroupTraits<Sophus::SO2<Real>> {
   static Vector increment(const G& x, const G& y) {
     using std::atan2;
     const auto& a = x.unit_complex();
-    const Vector2<Real> d = y.unit_complex() - a;
+    const Eigen::Vector2<Real> d = y.unit_complex() - a;
     return Vector{Real(atan2(a.x() * d.y() - a.y() * d.x(), a.dot(y.unit_complex())))};
   }
   static Real drift(const G& x) { return detail::distance_from_one(x.unit_complex()); }
   static G normalized(const G& x) {
-    const Vector2<Real> z = x.unit_complex().normalized();
+    const Eigen::Vector2<Real> z = x.unit_complex().normalized();
     return detail::rotation_from_unit_complex<Real>(z.x(), z.y());
   }
   static Vector left_jacobian(const Vector&) { return Vector::Ones(); }
@@ -92,7 +92,7 @@ template <typename Real>
 struct GroupTraits<Sophus::SO3<Real>> {
   using Scalar = Real;
   using G = Sophus::SO3<Real>;
-  using Vector = Vector3<Real>;
+  using Vector = Eigen::Vector3<Real>;
   static constexpr int Dof = 3;
 
   static G identity() { return G{}; }
@@ -116,15 +116,19 @@ struct GroupTraits<Sophus::SO3<Real>> {
   }
   static Real drift(const G& x) { return detail::distance_from_one(x.unit_quaternion().coeffs()); }
   static G normalized(const G& x) { return rotation_from_unit_quaternion<Real>(x.unit_quaternion().normalized()); }
-  static Matrix3<Real> left_jacobian(const Vector& tau) { return detail::rotation_left_jacobian<Real>(tau); }
-  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
+  static Eigen::Matrix3<Real> left_jacobian(const Vector& tau) { return detail::rotation_left_jacobian<Real>(tau); }
+  static Eigen::Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
     return detail::rotation_left_jacobian_inverse<Real>(tau);
   }
-  static Matrix3<Real> adjoint_inverse_operator(const G& x) {
+  static Eigen::Matrix3<Real> adjoint_inverse_operator(const G& x) {
     return detail::rotation_matrix_transposed<Real>(x.unit_quaternion());
   }
-  static Matrix3<Real> bracket_times(const Vector& a, const Matrix3<Real>& M) { return detail::hat_times<Real>(a, M); }
-  static Matrix3<Real> times_bracket(const Matrix3<Real>& M, const Vector& a) { return detail::times_hat<Real>(M, a); }
+  static Eigen::Matrix3<Real> bracket_times(const Vector& a, const Eigen::Matrix3<Real>& M) {
+    return detail::hat_times<Real>(a, M);
+  }
+  static Eigen::Matrix3<Real> times_bracket(const Eigen::Matrix3<Real>& M, const Vector& a) {
+    return detail::times_hat<Real>(M, a);
+  }
 };
 
 template <typename Real>
@@ -132,7 +136,7 @@ struct GroupTraits<Sophus::SE2<Real>> {
   using Scalar = Real;
   using G = Sophus::SE2<Real>;
   using SO2 = GroupTraits<Sophus::SO2<Real>>;
-  using Vector = Vector3<Real>;
+  using Vector = Eigen::Vector3<Real>;
   static constexpr int Dof = 3;
 
   static G identity() { return G{}; }
@@ -150,18 +154,19 @@ struct GroupTraits<Sophus::SE2<Real>> {
   static Vector log(const G& x) { return logarithm(x.translation(), SO2::log(x.so2())[0]); }
   /// Ad_x [ρ; θ] = [Rρ − θ i t; θ]
   static Vector adjoint(const G& x, const Vector& tau) {
-    const Vector2<Real> rho =
+    const Eigen::Vector2<Real> rho =
         turn(x.so2(), tau.template head<2>()) - tau[2] * detail::quarter_turn<Real>(x.translation());
     return {rho.x(), rho.y(), tau[2]};
   }
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
-    const Vector2<Real> rho =
+    const Eigen::Vector2<Real> rho =
         turn(SO2::inverse(x.so2()), tau.template head<2>() + tau[2] * detail::quarter_turn<Real>(x.translation()));
     return {rho.x(), rho.y(), tau[2]};
   }
   /// [a, b] = [θ_a i ρ_b − θ_b i ρ_a; 0]
   static Vector bracket(const Vector& a, const Vector& b) {
-    const Vector2<Real> rho = detail::quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
+    const Eigen::Vector2<Real> rho =
+        detail::quarter_turn<Real>(a[2] * b.template head<2>() - b[2] * a.template head<2>());
     return {rho.x(), rho.y(), Real(0)};
   }
   /// Subtracts the translations in the world, where the difference is exact for close x and y.
@@ -171,25 +176,25 @@ struct GroupTraits<Sophus::SE2<Real>> {
   }
   static Real drift(const G& x) { return SO2::drift(x.so2()); }
   static G normalized(const G& x) { return make(SO2::normalized(x.so2()), x.translation()); }
-  static Matrix3<Real> left_jacobian(const Vector& tau) {
+  static Eigen::Matrix3<Real> left_jacobian(const Vector& tau) {
     return detail::planar_motion_left_jacobian<Real>(tau.template head<2>(), tau[2]);
   }
-  static Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
+  static Eigen::Matrix3<Real> left_jacobian_inverse(const Vector& tau) {
     return detail::planar_motion_left_jacobian_inverse<Real>(tau.template head<2>(), tau[2]);
   }
 
  private:
-  static G make(const Sophus::SO2<Real>& R, const Vector2<Real>& t) {
+  static G make(const Sophus::SO2<Real>& R, const Eigen::Vector2<Real>& t) {
     G x;
     x.so2() = R;
     x.translation() = t;
     return x;
   }
-  static Vector2<Real> turn(const Sophus::SO2<Real>& R, const Vector2<Real>& v) {
+  static Eigen::Vector2<Real> turn(const Sophus::SO2<Real>& R, const Eigen::Vector2<Real>& v) {
     return R.unit_complex().x() * v + R.unit_complex().y() * detail::quarter_turn<Real>(v);
   }
-  static Vector logarithm(const Vector2<Real>& t, const Real& theta) {
-    const Vector2<Real> rho = detail::planar_motion_log<Real>(t, theta);
+  static Vector logarithm(const Eigen::Vector2<Real>& t, const Real& theta) {
+    const Eigen::Vector2<Real> rho = detail::planar_motion_log<Real>(t, theta);
     return {rho.x(), rho.y(), theta};
   }
 };
@@ -220,20 +225,20 @@ struct GroupTraits<Sophus::SE3<Real>> {
   /// Ad_x [ρ; φ] = [Rρ + t × Rφ; Rφ]
   static Vector adjoint(const G& x, const Vector& tau) {
     const auto& q = x.unit_quaternion();
-    const Vector3<Real> phi = detail::rotate<Real>(q, tau.template tail<3>());
+    const Eigen::Vector3<Real> phi = detail::rotate<Real>(q, tau.template tail<3>());
     return join(detail::rotate<Real>(q, tau.template head<3>()) + x.translation().cross(phi), phi);
   }
   /// Ad_{x⁻¹} [ρ; φ] = [Rᵀ(ρ − t × φ); Rᵀφ]
   static Vector adjoint_inverse(const G& x, const Vector& tau) {
     const auto& q = x.unit_quaternion();
-    const Vector3<Real> phi = tau.template tail<3>();
+    const Eigen::Vector3<Real> phi = tau.template tail<3>();
     return join(detail::rotate_inverse<Real>(q, tau.template head<3>() - x.translation().cross(phi)),
                 detail::rotate_inverse<Real>(q, phi));
   }
   /// [a, b] = [φ_a × ρ_b + ρ_a × φ_b; φ_a × φ_b]
   static Vector bracket(const Vector& a, const Vector& b) {
-    const Vector3<Real> rho_a = a.template head<3>(), phi_a = a.template tail<3>();
-    const Vector3<Real> rho_b = b.template head<3>(), phi_b = b.template tail<3>();
+    const Eigen::Vector3<Real> rho_a = a.template head<3>(), phi_a = a.template tail<3>();
+    const Eigen::Vector3<Real> rho_b = b.template head<3>(), phi_b = b.template tail<3>();
     return join(phi_a.cross(rho_b) + rho_a.cross(phi_b), phi_a.cross(phi_b));
   }
   /// Subtracts the translations in the world, where the difference is exact for close x and y, however large they are.
@@ -252,29 +257,29 @@ struct GroupTraits<Sophus::SE3<Real>> {
   }
   /// [Rᵀ −Rᵀt^; 0 Rᵀ]
   static Operator adjoint_inverse_operator(const G& x) {
-    const Matrix3<Real> R_transposed = detail::rotation_matrix_transposed<Real>(x.unit_quaternion());
+    const Eigen::Matrix3<Real> R_transposed = detail::rotation_matrix_transposed<Real>(x.unit_quaternion());
     return {R_transposed, -detail::times_hat<Real>(R_transposed, x.translation())};
   }
   static Operator bracket_times(const Vector& a, const Operator& M) {
-    const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
+    const Eigen::Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
     return {detail::hat_times<Real>(phi, M.real),
             detail::hat_times<Real>(phi, M.dual) + detail::hat_times<Real>(rho, M.real)};
   }
   static Operator times_bracket(const Operator& M, const Vector& a) {
-    const Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
+    const Eigen::Vector3<Real> rho = a.template head<3>(), phi = a.template tail<3>();
     return {detail::times_hat<Real>(M.real, phi),
             detail::times_hat<Real>(M.dual, phi) + detail::times_hat<Real>(M.real, rho)};
   }
 
  private:
-  static G make(const Eigen::Quaternion<Real>& q, const Vector3<Real>& t) {
+  static G make(const Eigen::Quaternion<Real>& q, const Eigen::Vector3<Real>& t) {
     G x;
     x.so3() = rotation_from_unit_quaternion<Real>(q);
     x.translation() = t;
     return x;
   }
   // Element by element: for SIMD packets of a 3-vector, g++ 12 warns of array bounds that are not exceeded.
-  static Vector join(const Vector3<Real>& rho, const Vector3<Real>& phi) {
+  static Vector join(const Eigen::Vector3<Real>& rho, const Eigen::Vector3<Real>& phi) {
     Vector tau;
     for (int i = 0; i < 3; ++i) {
       tau[i] = rho[i];
@@ -282,7 +287,7 @@ struct GroupTraits<Sophus::SE3<Real>> {
     }
     return tau;
   }
-  static Vector logarithm(const Vector3<Real>& t, const Vector3<Real>& phi) {
+  static Vector logarithm(const Eigen::Vector3<Real>& t, const Eigen::Vector3<Real>& phi) {
     return join(detail::rigid_motion_log<Real>(t, phi), phi);
   }
 };

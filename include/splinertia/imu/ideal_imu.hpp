@@ -11,7 +11,7 @@ namespace splinertia {
 
 /// The acceleration of free fall in the world, m/s²: standard gravity (ISO 80000-3), z up.
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> standard_gravity() {
+[[nodiscard]] Eigen::Vector3<Scalar> standard_gravity() {
   return {Scalar(0), Scalar(0), Scalar(-980665) / Scalar(100000)};
 }
 
@@ -19,7 +19,7 @@ template <typename Scalar>
 template <Pose G, int D>
   requires(D >= 2)
 [[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(
-    const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity = standard_gravity<ScalarOf<G>>()) {
+    const Motion<G, D>& motion, const Eigen::Vector3<ScalarOf<G>>& gravity = standard_gravity<ScalarOf<G>>()) {
   return {angular_velocity(motion), specific_force(motion, gravity)};
 }
 
@@ -28,13 +28,14 @@ template <Pose G, int D>
 /// axes. Savage, Strapdown Analytics (2000), 7.1.
 template <Pose G, int D>
   requires(D >= 2)
-[[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(const Motion<G, D>& motion, const Vector3<ScalarOf<G>>& gravity,
+[[nodiscard]] ImuMeasurement<ScalarOf<G>> ideal_imu(const Motion<G, D>& motion,
+                                                    const Eigen::Vector3<ScalarOf<G>>& gravity,
                                                     const Mounting<ScalarOf<G>>& mounting) {
   using Scalar = ScalarOf<G>;
   const auto [omega, force] = ideal_imu(motion, gravity);
   const auto& q_BI = mounting.R_BI.unit_quaternion();
   const auto& l = mounting.p_BI;
-  const Vector3<Scalar> at_imu = force + angular_acceleration(motion).cross(l) + omega.cross(omega.cross(l));
+  const Eigen::Vector3<Scalar> at_imu = force + angular_acceleration(motion).cross(l) + omega.cross(omega.cross(l));
   return {detail::rotate_inverse<Scalar>(q_BI, omega), detail::rotate_inverse<Scalar>(q_BI, at_imu)};
 }
 

@@ -48,8 +48,8 @@ Imu(Gyro, Accel, Stamps) -> Imu<Gyro, Accel, Stamps>;
 /// One simulated sample: a sample with the true biases that it contains.
 template <typename Scalar = double, TimePoint Time = double>
 struct BasicImuReading : ImuSample<Scalar, Time> {
-  Vector3<Scalar> gyro_bias;   ///< in `gyro`, rad/s
-  Vector3<Scalar> accel_bias;  ///< in `accel`, m/s²
+  Eigen::Vector3<Scalar> gyro_bias;   ///< in `gyro`, rad/s
+  Eigen::Vector3<Scalar> accel_bias;  ///< in `accel`, m/s²
 };
 
 using ImuReading = BasicImuReading<>;

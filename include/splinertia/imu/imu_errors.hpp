@@ -38,8 +38,9 @@ class ImuErrors {
   SPLINERTIA_ALWAYS_INLINE bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
                                       Reading& reading) {
     const auto now = clock_.sample_at(time, interval);
-    ImuSensorSample<Scalar> gyro{{ideal.gyro, Vector3<Scalar>::Zero(), interval, now.first, now.elapsed}, ideal};
-    ImuSensorSample<Scalar> accel{{ideal.accel, Vector3<Scalar>::Zero(), interval, now.first, now.elapsed}, ideal};
+    ImuSensorSample<Scalar> gyro{{ideal.gyro, Eigen::Vector3<Scalar>::Zero(), interval, now.first, now.elapsed}, ideal};
+    ImuSensorSample<Scalar> accel{{ideal.accel, Eigen::Vector3<Scalar>::Zero(), interval, now.first, now.elapsed},
+                                  ideal};
     imu_.gyro.apply(gyro, gyro_);
     imu_.accel.apply(accel, accel_);
     if (!clock_.stamp(imu_.stamps, now, "ImuErrors", reading)) return false;

@@ -9,8 +9,8 @@ namespace splinertia {
 /// One measurement of both sensors, in the IMU's axes.
 template <typename Scalar>
 struct ImuMeasurement {
-  Vector3<Scalar> gyro;   ///< angular velocity, rad/s
-  Vector3<Scalar> accel;  ///< specific force, m/s²
+  Eigen::Vector3<Scalar> gyro;   ///< angular velocity, rad/s
+  Eigen::Vector3<Scalar> accel;  ///< specific force, m/s²
 };
 
 namespace detail {

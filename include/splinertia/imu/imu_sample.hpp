@@ -15,17 +15,17 @@ namespace splinertia {
 template <typename Scalar = double, TimePoint Time = double>
 struct ImuSample {
   Time time;
-  Vector3<Scalar> gyro;   ///< angular velocity, rad/s
-  Vector3<Scalar> accel;  ///< specific force, m/s²
+  Eigen::Vector3<Scalar> gyro;   ///< angular velocity, rad/s
+  Eigen::Vector3<Scalar> accel;  ///< specific force, m/s²
 };
 
 /// The integrals of both readings since the increment before, both in the turning axes of the IMU, without corrections
 /// for coning and sculling.
 template <typename Scalar = double, TimePoint Time = double>
 struct ImuIncrement {
-  Time time;                       ///< end of the interval
-  Vector3<Scalar> delta_angle;     ///< integral of the angular velocity, rad
-  Vector3<Scalar> delta_velocity;  ///< integral of the specific force, m/s
+  Time time;                              ///< end of the interval
+  Eigen::Vector3<Scalar> delta_angle;     ///< integral of the angular velocity, rad
+  Eigen::Vector3<Scalar> delta_velocity;  ///< integral of the specific force, m/s
 };
 
 /// Has the members of an ImuSample, of any scalar and any type of time.
@@ -54,15 +54,15 @@ concept HasTime = requires(const S& s) {
 /// Has the members of an ImuSample<Scalar, Time>, or what converts to them.
 template <typename S, typename Scalar, typename Time>
 concept ImuSampleOf = HasTime<S, Time> && requires(const S& s) {
-  { s.gyro } -> std::convertible_to<Vector3<Scalar>>;
-  { s.accel } -> std::convertible_to<Vector3<Scalar>>;
+  { s.gyro } -> std::convertible_to<Eigen::Vector3<Scalar>>;
+  { s.accel } -> std::convertible_to<Eigen::Vector3<Scalar>>;
 };
 
 /// Has the members of an ImuIncrement<Scalar, Time>, or what converts to them.
 template <typename S, typename Scalar, typename Time>
 concept ImuIncrementOf = HasTime<S, Time> && requires(const S& s) {
-  { s.delta_angle } -> std::convertible_to<Vector3<Scalar>>;
-  { s.delta_velocity } -> std::convertible_to<Vector3<Scalar>>;
+  { s.delta_angle } -> std::convertible_to<Eigen::Vector3<Scalar>>;
+  { s.delta_velocity } -> std::convertible_to<Eigen::Vector3<Scalar>>;
 };
 
 }  // namespace detail

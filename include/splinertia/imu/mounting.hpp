@@ -10,8 +10,8 @@ namespace splinertia {
 /// Where an IMU is in the body that carries it. By default it is the body frame itself.
 template <typename Scalar = double>
 struct Mounting {
-  Sophus::SO3<Scalar> R_BI{};                      ///< rotates vectors from the IMU's axes to the body's
-  Vector3<Scalar> p_BI = Vector3<Scalar>::Zero();  ///< the IMU's origin in the body (lever arm), m
+  Sophus::SO3<Scalar> R_BI{};                                    ///< rotates vectors from the IMU's axes to the body's
+  Eigen::Vector3<Scalar> p_BI = Eigen::Vector3<Scalar>::Zero();  ///< the IMU's origin in the body (lever arm), m
 };
 
 template <typename Scalar>

@@ -100,7 +100,7 @@ using ImuSamplesOf = ImuSamples<typename C::Group, typename C::Time>;
 template <typename C, typename... Mount>
   requires(Trajectory<C, 2> && Pose<typename C::Group> && sizeof...(Mount) <= 1)
 void sample_imu(const C& curve, const SampleTimes<typename C::Time>& times, std::size_t first, std::size_t count,
-                detail::ImuSamplesOf<C>& samples, const Vector3<ScalarOf<typename C::Group>>& gravity,
+                detail::ImuSamplesOf<C>& samples, const Eigen::Vector3<ScalarOf<typename C::Group>>& gravity,
                 const Mount&... mounting) {
   detail::check_sample_times(times, first + count, curve.start(), curve.end());
   samples.resize(times, first, count);
@@ -126,7 +126,7 @@ template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
 [[nodiscard]] detail::ImuSamplesOf<C> sample_imu(
     const C& curve, typename C::Time start, typename C::Time interval, std::size_t count,
-    const Vector3<ScalarOf<typename C::Group>>& gravity = standard_gravity<ScalarOf<typename C::Group>>()) {
+    const Eigen::Vector3<ScalarOf<typename C::Group>>& gravity = standard_gravity<ScalarOf<typename C::Group>>()) {
   detail::ImuSamplesOf<C> samples;
   sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity);
   return samples;
@@ -136,7 +136,8 @@ template <typename C>
 template <typename C>
   requires(Trajectory<C, 2> && Pose<typename C::Group>)
 [[nodiscard]] detail::ImuSamplesOf<C> sample_imu(const C& curve, typename C::Time start, typename C::Time interval,
-                                                 std::size_t count, const Vector3<ScalarOf<typename C::Group>>& gravity,
+                                                 std::size_t count,
+                                                 const Eigen::Vector3<ScalarOf<typename C::Group>>& gravity,
                                                  const Mounting<ScalarOf<typename C::Group>>& mounting) {
   detail::ImuSamplesOf<C> samples;
   sample_imu(curve, SampleTimes{start, interval}, 0, count, samples, gravity, mounting);

@@ -27,12 +27,12 @@ namespace splinertia {
 
 template <typename Scalar = double, TimePoint Time = double>
 struct SimulationOptions {
-  double rate = 200;                                     ///< samples per second, Hz
-  std::uint64_t seed = 0;                                ///< of the run; the same seed gives the same samples
-  std::uint64_t imu = 0;                                 ///< number of the IMU in the run: each has its own errors
-  Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
-  std::optional<Time> start{};                           ///< of the first sample; default: start of the motion
-  std::optional<Time> end{};                             ///< no sample after it; default: end of the motion
+  double rate = 200;       ///< samples per second, Hz
+  std::uint64_t seed = 0;  ///< of the run; the same seed gives the same samples
+  std::uint64_t imu = 0;   ///< number of the IMU in the run: each has its own errors
+  Eigen::Vector3<Scalar> gravity = standard_gravity<Scalar>();  ///< acceleration of free fall in the world, m/s²
+  std::optional<Time> start{};                                  ///< of the first sample; default: start of the motion
+  std::optional<Time> end{};                                    ///< no sample after it; default: end of the motion
 };
 
 namespace detail {
@@ -168,7 +168,7 @@ class Simulation {
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
   [[no_unique_address]] Sensors sensors_;
   [[no_unique_address]] Mount mounting_;
-  Vector3<Scalar> gravity_;
+  Eigen::Vector3<Scalar> gravity_;
   detail::SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };

@@ -22,9 +22,10 @@ namespace splinertia {
 /// One simulated increment: an increment with the true biases that it contains.
 template <typename Scalar = double, TimePoint Time = double>
 struct ImuIncrementReading : ImuIncrement<Scalar, Time> {
-  Vector3<Scalar> gyro_bias;   ///< mean over the interval, rad/s: delta_angle contains gyro_bias times the interval
-  Vector3<Scalar> accel_bias;  ///< the same in delta_velocity, m/s²
-  Time true_time;              ///< when the interval ended; differs from `time` if the stamps have errors
+  Eigen::Vector3<Scalar>
+      gyro_bias;  ///< mean over the interval, rad/s: delta_angle contains gyro_bias times the interval
+  Eigen::Vector3<Scalar> accel_bias;  ///< the same in delta_velocity, m/s²
+  Time true_time;                     ///< when the interval ended; differs from `time` if the stamps have errors
 };
 
 namespace detail {
@@ -113,7 +114,7 @@ class IncrementSimulation {
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
   [[no_unique_address]] Sensors sensors_;
   [[no_unique_address]] Mount mounting_;
-  Vector3<Scalar> gravity_;
+  Eigen::Vector3<Scalar> gravity_;
   detail::SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };

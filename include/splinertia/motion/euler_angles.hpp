@@ -32,7 +32,7 @@ struct EulerAngles {
   }
 
   /// ω in the body, rad/s. Diebel, "Representing Attitude" (2006), (287) with (292).
-  [[nodiscard]] Vector3<Scalar> angular_velocity() const {
+  [[nodiscard]] Eigen::Vector3<Scalar> angular_velocity() const {
     using std::cos, std::sin;
     const Scalar sp = sin(pitch.angle), cp = cos(pitch.angle);
     const Scalar sr = sin(roll.angle), cr = cos(roll.angle);
@@ -41,7 +41,7 @@ struct EulerAngles {
   }
 
   /// α = dω/dt, rad/s².
-  [[nodiscard]] Vector3<Scalar> angular_acceleration() const {
+  [[nodiscard]] Eigen::Vector3<Scalar> angular_acceleration() const {
     using std::cos, std::sin;
     const Scalar sp = sin(pitch.angle), cp = cos(pitch.angle);
     const Scalar sr = sin(roll.angle), cr = cos(roll.angle);

@@ -10,11 +10,11 @@ namespace splinertia {
 template <typename Scalar>
 struct RigidBodyState {
   Eigen::Quaternion<Scalar> q_WB;
-  Vector3<Scalar> p_WB;   ///< m
-  Vector3<Scalar> omega;  ///< body, rad/s
-  Vector3<Scalar> v_WB;   ///< world, m/s
-  Vector3<Scalar> alpha;  ///< body, rad/s²
-  Vector3<Scalar> a_WB;   ///< world, m/s²
+  Eigen::Vector3<Scalar> p_WB;   ///< m
+  Eigen::Vector3<Scalar> omega;  ///< body, rad/s
+  Eigen::Vector3<Scalar> v_WB;   ///< world, m/s
+  Eigen::Vector3<Scalar> alpha;  ///< body, rad/s²
+  Eigen::Vector3<Scalar> a_WB;   ///< world, m/s²
 };
 
 /// The value and the first D derivatives of this state, as a motion on SO(3) × R³.

@@ -44,8 +44,8 @@ template <Pose G, int Order>
 template <Pose G, int Order>
 [[nodiscard]] detail::VectorJacobian<ScalarOf<G>> specific_force_jacobian(const Linearization<G, Order, 2>& curve,
                                                                           std::size_t j,
-                                                                          const Vector3<ScalarOf<G>>& force,
-                                                                          const Vector3<ScalarOf<G>>& gravity) {
+                                                                          const Eigen::Vector3<ScalarOf<G>>& force,
+                                                                          const Eigen::Vector3<ScalarOf<G>>& gravity) {
   using Scalar = ScalarOf<G>;
   const Jacobian<G>&value = curve.value_jacobian[j], &acceleration = curve.acceleration_jacobian[j];
   const auto& q = rotation(curve.value).unit_quaternion();
@@ -56,8 +56,8 @@ template <Pose G, int Order>
         detail::rotation_matrix_transposed<Scalar>(q) * acceleration.template bottomRightCorner<3, 3>();
   } else {
     const Jacobian<G>& velocity = curve.velocity_jacobian[j];
-    const Vector3<Scalar> v = curve.velocity.template head<3>(), omega = angular_velocity(curve);
-    const Vector3<Scalar> g_B = detail::rotate_inverse<Scalar>(q, gravity);
+    const Eigen::Vector3<Scalar> v = curve.velocity.template head<3>(), omega = angular_velocity(curve);
+    const Eigen::Vector3<Scalar> g_B = detail::rotate_inverse<Scalar>(q, gravity);
     J = acceleration.template topRows<3>() + detail::hat(omega) * velocity.template topRows<3>() -
         detail::hat(v) * velocity.template bottomRows<3>() - detail::hat(g_B) * value.template bottomRows<3>();
   }

@@ -30,7 +30,7 @@ template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_r
           typename Frame = InertialFrame>
   requires IntegrationScheme<Scheme, Scalar, Time> && std::invocable<Visit&, const NavState<Scalar, Time>&>
 void integrate(const NavState<Scalar, Time>& initial, Samples&& samples,
-               const Vector3<std::type_identity_t<Scalar>>& gravity, Visit&& visit,
+               const Eigen::Vector3<std::type_identity_t<Scalar>>& gravity, Visit&& visit,
                const IntegrationOptions<std::type_identity_t<Scalar>, Frame>& options = {}) {
   Integrator<Scheme, Scalar, Time, Frame> integrator(initial, gravity, options.gaps, options.frame);
   bool any = false;
@@ -49,7 +49,7 @@ template <typename Scheme, typename Scalar, TimePoint Time, std::ranges::input_r
   requires IntegrationScheme<Scheme, Scalar, Time>
 [[nodiscard]] std::vector<NavState<Scalar, Time>> integrate(
     const NavState<Scalar, Time>& initial, Samples&& samples,
-    const Vector3<std::type_identity_t<Scalar>>& gravity = standard_gravity<Scalar>(),
+    const Eigen::Vector3<std::type_identity_t<Scalar>>& gravity = standard_gravity<Scalar>(),
     const IntegrationOptions<std::type_identity_t<Scalar>, Frame>& options = {}) {
   std::vector<NavState<Scalar, Time>> states;
   if constexpr (requires { std::ranges::size(samples); }) states.reserve(std::ranges::size(samples) + 1);

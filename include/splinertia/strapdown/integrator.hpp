@@ -30,7 +30,7 @@ class Integrator {
 
   /// `gravity`: acceleration of free fall in the world, m/s². Throws std::invalid_argument unless it, the initial state
   /// and the frame are finite and the longest interval of `gaps` is > 0.
-  explicit Integrator(const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
+  explicit Integrator(const State& initial, const Eigen::Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
                       const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
       : state_(initial), gravity_(gravity), window_(initial.time, gaps), frame_(frame) {
     detail::require_all_finite("integrate", "the initial attitude", initial.R_WB.unit_quaternion().coeffs());
@@ -42,7 +42,7 @@ class Integrator {
   }
 
   /// The same with the scheme as an argument, so that the type can be deduced.
-  explicit Integrator(Scheme, const State& initial, const Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
+  explicit Integrator(Scheme, const State& initial, const Eigen::Vector3<Scalar>& gravity = standard_gravity<Scalar>(),
                       const GapOptions<Scalar>& gaps = {}, const Frame& frame = {})
       : Integrator(initial, gravity, gaps, frame) {}
 
@@ -79,13 +79,13 @@ class Integrator {
   }
 
   State state_;
-  Vector3<Scalar> gravity_;
+  Eigen::Vector3<Scalar> gravity_;
   detail::SampleWindow<Scheme, Scalar, Time> window_;
   [[no_unique_address]] Frame frame_;
 };
 
 template <typename Scheme, typename Scalar, TimePoint Time, typename Frame = InertialFrame>
-Integrator(Scheme, const NavState<Scalar, Time>&, const Vector3<std::type_identity_t<Scalar>>& = {},
+Integrator(Scheme, const NavState<Scalar, Time>&, const Eigen::Vector3<std::type_identity_t<Scalar>>& = {},
            const GapOptions<std::type_identity_t<Scalar>>& = {},
            const Frame& = {}) -> Integrator<Scheme, Scalar, Time, Frame>;
 

@@ -16,8 +16,8 @@ struct NavState {
   using Time = T;
 
   Sophus::SO3<Scalar> R_WB;
-  Vector3<Scalar> v_WB;  ///< m/s
-  Vector3<Scalar> p_WB;  ///< m
+  Eigen::Vector3<Scalar> v_WB;  ///< m/s
+  Eigen::Vector3<Scalar> p_WB;  ///< m
   Time time;
 };
 
@@ -36,7 +36,7 @@ template <Pose G, int D, TimePoint Time>
                                                     const Mounting<ScalarOf<G>>& mounting) {
   using Scalar = ScalarOf<G>;
   const G imu = imu_pose(motion.value, mounting);
-  const Vector3<Scalar> turn = angular_velocity(motion).cross(mounting.p_BI);
+  const Eigen::Vector3<Scalar> turn = angular_velocity(motion).cross(mounting.p_BI);
   return {rotation(imu),
           world_velocity(motion) + detail::rotate<Scalar>(rotation(motion.value).unit_quaternion(), turn),
           position(imu), time};
@@ -68,10 +68,10 @@ struct InertialFrame {
   template <typename Scalar, typename Time>
   [[nodiscard]] NavState<Scalar, Time> advance(const NavState<Scalar, Time>& state,
                                                const detail::NavIncrement<Scalar>& increment,
-                                               const Vector3<Scalar>& gravity, Time time) const {
+                                               const Eigen::Vector3<Scalar>& gravity, Time time) const {
     const auto& q = state.R_WB.unit_quaternion();
     const Scalar h = increment.interval;
-    const Vector3<Scalar> fall = gravity * h;
+    const Eigen::Vector3<Scalar> fall = gravity * h;
     return {detail::advance_attitude<Scalar>(q, increment.rotation),
             state.v_WB + fall + detail::rotate<Scalar>(q, increment.velocity),
             state.p_WB + (state.v_WB + fall / Scalar(2)) * h + detail::rotate<Scalar>(q, increment.position), time};

@@ -18,23 +18,23 @@ template <typename Scalar>
 struct RotatingFrame {
   /// Ω: angular velocity of the world relative to inertial space, in the world, rad/s. Earth: 7.292115e-5 about its
   /// axis.
-  Vector3<Scalar> rate;
+  Eigen::Vector3<Scalar> rate;
 
   template <typename Time>
   [[nodiscard]] NavState<Scalar, Time> advance(const NavState<Scalar, Time>& state,
                                                const detail::NavIncrement<Scalar>& increment,
-                                               const Vector3<Scalar>& gravity, Time time) const {
+                                               const Eigen::Vector3<Scalar>& gravity, Time time) const {
     const auto& q = state.R_WB.unit_quaternion();
     const Scalar h = increment.interval;
-    const Vector3<Scalar> fall = gravity * h;
-    const Vector3<Scalar> dv = detail::rotate<Scalar>(q, increment.velocity),
-                          dp = detail::rotate<Scalar>(q, increment.position);
+    const Eigen::Vector3<Scalar> fall = gravity * h;
+    const Eigen::Vector3<Scalar> dv = detail::rotate<Scalar>(q, increment.velocity),
+                                 dp = detail::rotate<Scalar>(q, increment.position);
     // The force turns back by Ω t, which contributes −Ω × ∫ t f dt, ∫ t f dt = h Δv − Δp, to the velocity and
     // −Ω × ∫ (h − t) t f dt to the position. The Coriolis acceleration contributes −2 Ω × (p₁ − p₀) to the velocity. In
     // the position both add up to −h Ω × (Δp + (v₀ + g h/3) h).
-    const Vector3<Scalar> inertial = (state.v_WB + fall / Scalar(2)) * h + dp;
-    const Vector3<Scalar> moved = inertial - rate.cross((inertial - fall * (h / Scalar(6))) * h);
-    const Vector3<Scalar> v = state.v_WB + fall + dv - rate.cross(dv * h - dp + moved * Scalar(2));
+    const Eigen::Vector3<Scalar> inertial = (state.v_WB + fall / Scalar(2)) * h + dp;
+    const Eigen::Vector3<Scalar> moved = inertial - rate.cross((inertial - fall * (h / Scalar(6))) * h);
+    const Eigen::Vector3<Scalar> v = state.v_WB + fall + dv - rate.cross(dv * h - dp + moved * Scalar(2));
     const Eigen::Quaternion<Scalar> back = detail::rotation_exp<Scalar>(-rate * h);
     return {detail::advance_attitude<Scalar>(back,
                                              detail::advance_attitude<Scalar>(q, increment.rotation).unit_quaternion()),

@@ -3,6 +3,6 @@
 using namespace splinertia;
 struct Bad {
   struct State {};
-  void apply(Vector3<double>& reading, State&) const { reading.setZero(); }
+  void apply(Eigen::Vector3<double>& reading, State&) const { reading.setZero(); }
 };
 const ErrorModel model{Bad{}};

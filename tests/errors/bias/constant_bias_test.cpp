@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
-#include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/describe.hpp>
+#include <splinertia/errors/error_model.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -11,7 +11,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("A constant bias is added to the reading and to the bias in it", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const ConstantBias term{PerAxis<TestType>(1, -2, TestType(0.5))};
   STATIC_CHECK(std::is_same_v<decltype(term), const ConstantBias<TestType, 3>>);
   for (const TestType& elapsed : {TestType(0), TestType(1), TestType(1000)}) {

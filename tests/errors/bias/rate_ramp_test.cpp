@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/rate_ramp.hpp>
-#include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/describe.hpp>
+#include <splinertia/errors/error_model.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <type_traits>
@@ -13,7 +13,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The bias is the slope times the time since the first sample", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const RateRamp term{PerAxis<TestType>(1, TestType(-0.5), 0)};
   const auto first = applied(term, sample_with<TestType>(Vector(1, 2, 3), Vector(4, 5, 6)));
   CHECK(first.value == Vector(1, 2, 3));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/temperature_bias.hpp>
-#include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/describe.hpp>
+#include <splinertia/errors/error_model.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <type_traits>
@@ -18,7 +18,7 @@ constexpr auto heating = [](double elapsed) { return 20 + elapsed / 2; };
 }  // namespace
 
 TEMPLATE_TEST_CASE("The bias is in proportion to how far the temperature is from the reference", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const TemperatureBias term{PerAxis<TestType>(1, -2, 0), heating, TestType(30)};
   for (const auto& [elapsed, difference] : {std::pair(0, -10), std::pair(20, 0), std::pair(40, 10)}) {
     const auto sample =

@@ -43,8 +43,8 @@ constexpr double forgotten = 8;  // s, after which the slowest of the three has 
 struct Given {
   double number = 0;
   template <typename Scalar>
-  Vector3<Scalar> draw() {
-    return Vector3<Scalar>::Constant(static_cast<Scalar>(number));
+  Eigen::Vector3<Scalar> draw() {
+    return Eigen::Vector3<Scalar>::Constant(static_cast<Scalar>(number));
   }
 };
 

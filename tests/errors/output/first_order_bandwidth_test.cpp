@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/first_order_bandwidth.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -24,7 +24,7 @@ constexpr double turn = 2 * std::numbers::pi;
 
 TEMPLATE_TEST_CASE("It starts settled, and a constant passes as it is", "", float, double) {
   using Scalar = TestType;
-  const Vector3<Scalar> value(Scalar(1.1), Scalar(-2.3), Scalar(1e6));
+  const Eigen::Vector3<Scalar> value(Scalar(1.1), Scalar(-2.3), Scalar(1e6));
   for (const Scalar& cutoff : {Scalar(1e-6), Scalar(1), Scalar(1e6)}) {
     const FirstOrderBandwidth term{cutoff};
     for (const auto& y : responses(term, regular_times(Scalar(0.01), 50), [&](Scalar) { return value; }))
@@ -35,12 +35,12 @@ TEMPLATE_TEST_CASE("It starts settled, and a constant passes as it is", "", floa
 TEMPLATE_TEST_CASE("A ramp is followed with the delay tau at any rate", "", float, double, long double) {
   using Scalar = TestType;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-  const Vector3<Scalar> start(1, 2, 3), slope(1, -5, 20);
+  const Eigen::Vector3<Scalar> start(1, 2, 3), slope(1, -5, 20);
   const PerAxis<Scalar> cutoff(Scalar(0.5), 2, 30);
   for (const Scalar& interval : {Scalar(0.001), Scalar(0.05), Scalar(3)}) {
     const auto times = regular_times(interval, 200);
-    const auto outputs =
-        responses(FirstOrderBandwidth{cutoff}, times, [&](Scalar t) { return Vector3<Scalar>(start + slope * t); });
+    const auto outputs = responses(FirstOrderBandwidth{cutoff}, times,
+                                   [&](Scalar t) { return Eigen::Vector3<Scalar>(start + slope * t); });
     for (std::size_t i = 0; i < times.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
         const Scalar tau = Scalar(1) / (2 * std::numbers::pi_v<Scalar> * cutoff[static_cast<std::size_t>(axis)]);
@@ -117,9 +117,9 @@ TEMPLATE_TEST_CASE("From nearly no bandwidth to all of it the output stays withi
   for (double cutoff = 1e-9; cutoff < 2e9; cutoff *= 10) cutoffs.push_back(static_cast<Scalar>(cutoff));
   for (const Scalar& cutoff : cutoffs) {
     INFO("cutoff " << cutoff);
-    std::vector<Vector3<Scalar>> inputs;
+    std::vector<Eigen::Vector3<Scalar>> inputs;
     const auto outputs = responses(FirstOrderBandwidth{cutoff}, regular_times(Scalar(0.125), 300), [&](Scalar) {
-      inputs.push_back(Vector3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); }));
+      inputs.push_back(Eigen::Vector3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); }));
       return inputs.back();
     });
     for (const auto& y : outputs) REQUIRE(y.cwiseAbs().maxCoeff() <= 1 + 16 * eps);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/quantization.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -13,7 +13,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The reading becomes the nearest multiple of the bit; the bias does not change", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const Quantization term{PerAxis<TestType>(1, TestType(0.5), 4)};
   const auto sample = applied(term, sample_with<TestType>(Vector(TestType(1.4), TestType(-1.3), 7), Vector(1, 2, 3)));
   CHECK(sample.value == Vector(1, TestType(-1.5), 8));

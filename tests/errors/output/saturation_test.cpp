@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/saturation.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -11,7 +11,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The reading is clipped to its range; the bias does not change", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const Saturation term{PerAxis<TestType>(1, 2, 3)};
   CHECK(applied(term, sample_with<TestType>(Vector(5, -5, 2))).value == Vector(1, -2, 2));
   CHECK(applied(term, sample_with<TestType>(Vector(-1, 2, -3))).value == Vector(-1, 2, -3));

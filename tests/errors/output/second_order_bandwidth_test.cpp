@@ -33,7 +33,7 @@ double largest_gain(double damping_ratio) {
 
 TEMPLATE_TEST_CASE("It starts settled, and a constant passes as it is", "", float, double) {
   using Scalar = TestType;
-  const Vector3<Scalar> value(Scalar(1.1), Scalar(-2.3), Scalar(1e6));
+  const Eigen::Vector3<Scalar> value(Scalar(1.1), Scalar(-2.3), Scalar(1e6));
   for (const Scalar& frequency : {Scalar(1e-6), Scalar(1), Scalar(1e6)}) {
     const SecondOrderBandwidth term{frequency, Scalar(0.7)};
     for (const auto& y : responses(term, regular_times(Scalar(0.01), 50), [&](Scalar) { return value; }))
@@ -46,11 +46,11 @@ TEMPLATE_TEST_CASE("A ramp is followed with the delay 2 zeta/omega at any rate",
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
   const Scalar frequency = 2, omega = 2 * std::numbers::pi_v<Scalar> * frequency;
   const PerAxis<Scalar> damping_ratios(Scalar(0.2), 1, 3);
-  const Vector3<Scalar> start(1, 2, 3), slope(1, -5, 20);
+  const Eigen::Vector3<Scalar> start(1, 2, 3), slope(1, -5, 20);
   for (const Scalar& interval : {Scalar(0.002), Scalar(0.05), Scalar(3)}) {
     const auto times = regular_times(interval, 2000);
     const auto outputs = responses(SecondOrderBandwidth{frequency, damping_ratios}, times,
-                                   [&](Scalar t) { return Vector3<Scalar>(start + slope * t); });
+                                   [&](Scalar t) { return Eigen::Vector3<Scalar>(start + slope * t); });
     for (std::size_t i = 0; i < times.size(); ++i) {
       const Scalar t = times[i];
       for (int axis = 0; axis < 3; ++axis) {
@@ -126,10 +126,10 @@ TEMPLATE_TEST_CASE("From nearly no bandwidth to all of it, whatever the damping,
   for (const Scalar& frequency : frequencies) {
     for (const double zeta : {1e-6, 0.01, 0.7, 1.0, 1.3, 100.0, 1e6}) {
       INFO("natural frequency " << frequency << ", damping ratio " << zeta);
-      std::vector<Vector3<Scalar>> inputs;
+      std::vector<Eigen::Vector3<Scalar>> inputs;
       const SecondOrderBandwidth<Scalar> term{frequency, static_cast<Scalar>(zeta)};
       const auto outputs = responses(term, regular_times(Scalar(0.125), 200), [&](Scalar) {
-        inputs.push_back(Vector3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); }));
+        inputs.push_back(Eigen::Vector3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); }));
         return inputs.back();
       });
       for (const auto& y : outputs) REQUIRE(y.cwiseAbs().maxCoeff() <= static_cast<Scalar>(largest_gain(zeta) + 1e-5));

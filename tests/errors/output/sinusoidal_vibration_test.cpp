@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <type_traits>
@@ -19,7 +19,7 @@ using testing::applied, testing::sample_with;
 TEMPLATE_TEST_CASE("It adds amplitude sin(2 pi (f t + phase)) to the reading and nothing to the bias", "", float,
                    double, long double) {
   using Scalar = TestType;
-  using Vector = Vector3<Scalar>;
+  using Vector = Eigen::Vector3<Scalar>;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
   const SinusoidalVibration term{PerAxis<Scalar>(1, 2, -3), PerAxis<Scalar>(1, Scalar(0.5), 7),
                                  PerAxis<Scalar>(0, Scalar(0.25), Scalar(0.125))};

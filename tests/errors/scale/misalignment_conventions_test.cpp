@@ -11,8 +11,8 @@ using namespace splinertia;
 namespace {
 
 template <typename Scalar>
-Matrix3<Scalar> lower(Scalar sx, Scalar yx, Scalar sy, Scalar zx, Scalar zy, Scalar sz) {
-  return (Matrix3<Scalar>() << sx, 0, 0, yx, sy, 0, zx, zy, sz).finished();
+Eigen::Matrix3<Scalar> lower(Scalar sx, Scalar yx, Scalar sy, Scalar zx, Scalar zy, Scalar sz) {
+  return (Eigen::Matrix3<Scalar>() << sx, 0, 0, yx, sy, 0, zx, zy, sz).finished();
 }
 
 }  // namespace
@@ -23,8 +23,8 @@ TEMPLATE_TEST_CASE("What Kalibr writes comes back after composing and splitting"
   testing::Random random(1);
   for (int i = 0; i < 100; ++i) {
     const auto near = [&](double x) { return static_cast<Scalar>(x + 0.05 * random.symmetric()); };
-    const Matrix3<Scalar> M = lower(near(1), near(0), near(1), near(0), near(0), near(i % 2 == 0 ? 1 : -1));
-    const Matrix3<Scalar> C = Sophus::SO3<Scalar>::exp(random.tangent<Sophus::SO3<Scalar>>(3)).matrix();
+    const Eigen::Matrix3<Scalar> M = lower(near(1), near(0), near(1), near(0), near(0), near(i % 2 == 0 ? 1 : -1));
+    const Eigen::Matrix3<Scalar> C = Sophus::SO3<Scalar>::exp(random.tangent<Sophus::SO3<Scalar>>(3)).matrix();
     const Misalignment<Scalar> composed = misalignment_from_kalibr(M, C);
     CHECK((composed.matrix - M * C).norm() <= 8 * eps);
     const auto [scale_and_shear, rotation] = split_misalignment(composed);
@@ -39,11 +39,12 @@ TEMPLATE_TEST_CASE("Any misalignment splits into a lower triangle and a proper r
   testing::Random random(2);
   int mirrors = 0;
   for (int i = 0; i < 100; ++i) {
-    Matrix3<Scalar> m = Matrix3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); });
+    Eigen::Matrix3<Scalar> m =
+        Eigen::Matrix3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); });
     m.diagonal().array() += Scalar(i % 2 == 0 ? 2 : -2);
     const auto [M, C] = split_misalignment(Misalignment{m});
     CHECK((M * C - m).norm() < 32 * eps * m.norm());
-    CHECK((C * C.transpose() - Matrix3<Scalar>::Identity()).norm() < 32 * eps);
+    CHECK((C * C.transpose() - Eigen::Matrix3<Scalar>::Identity()).norm() < 32 * eps);
     CHECK(C.determinant() > 0);
     CHECK(M.template triangularView<Eigen::StrictlyUpper>().toDenseMatrix().isZero(0));
     CHECK(M(0, 0) > 0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <concepts>
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -16,24 +16,25 @@ using testing::applied, testing::sample_with;
 namespace {
 
 template <typename Scalar>
-Matrix3<Scalar> matrix(Scalar a, Scalar b, Scalar c, Scalar d, Scalar e, Scalar f, Scalar g, Scalar h, Scalar i) {
-  return (Matrix3<Scalar>() << a, b, c, d, e, f, g, h, i).finished();
+Eigen::Matrix3<Scalar> matrix(Scalar a, Scalar b, Scalar c, Scalar d, Scalar e, Scalar f, Scalar g, Scalar h,
+                              Scalar i) {
+  return (Eigen::Matrix3<Scalar>() << a, b, c, d, e, f, g, h, i).finished();
 }
 
 template <typename Scalar>
-Matrix3<Scalar> diagonal(Scalar x, Scalar y, Scalar z) {
-  return Vector3<Scalar>(x, y, z).asDiagonal();
+Eigen::Matrix3<Scalar> diagonal(Scalar x, Scalar y, Scalar z) {
+  return Eigen::Vector3<Scalar>(x, y, z).asDiagonal();
 }
 
 template <typename Scalar>
-Matrix3<Scalar> random_matrix(testing::Random& random) {
-  return Matrix3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); });
+Eigen::Matrix3<Scalar> random_matrix(testing::Random& random) {
+  return Eigen::Matrix3<Scalar>::NullaryExpr([&] { return static_cast<Scalar>(random.symmetric()); });
 }
 
 }  // namespace
 
 TEMPLATE_TEST_CASE("The reading is M times what it was, and so is the bias in it", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const Misalignment term{matrix<TestType>(1, 2, 0, 0, 1, -1, 3, 0, 2)};
   const auto sample = applied(term, sample_with<TestType>(Vector(1, 2, 3), Vector(4, 5, 6)));
   CHECK(sample.value == Vector(5, -1, 9));
@@ -60,9 +61,9 @@ TEST_CASE("A misalignment is given as a 3 by 3 matrix and nothing else") {
 TEMPLATE_TEST_CASE("Every matrix that can be inverted passes, whatever its size", "", float, double) {
   using Scalar = TestType;
   const Scalar tiny = std::numeric_limits<Scalar>::min(), huge = std::numeric_limits<Scalar>::max();
-  const Matrix3<Scalar> I = Matrix3<Scalar>::Identity();
+  const Eigen::Matrix3<Scalar> I = Eigen::Matrix3<Scalar>::Identity();
   for (const Scalar& scale : {tiny, Scalar(1), huge, std::numeric_limits<Scalar>::denorm_min()})
-    CHECK_NOTHROW(Misalignment{Matrix3<Scalar>(scale * I)});
+    CHECK_NOTHROW(Misalignment{Eigen::Matrix3<Scalar>(scale * I)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(1, tiny, tiny)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(huge, 1, tiny)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(1, 1, -1)});
@@ -79,7 +80,7 @@ TEMPLATE_TEST_CASE("A matrix that is singular, but for rounding, is refused", ""
   testing::Random random(2);
   for (const Scalar& scale : {Scalar(1e-20), Scalar(1), Scalar(1e20)}) {
     for (int i = 0; i < 100; ++i) {
-      Matrix3<Scalar> m = scale * random_matrix<Scalar>(random);
+      Eigen::Matrix3<Scalar> m = scale * random_matrix<Scalar>(random);
       m.row(i % 3) = static_cast<Scalar>(random.symmetric()) * m.row((i + 1) % 3) +
                      static_cast<Scalar>(random.symmetric()) * m.row((i + 2) % 3);
       CHECK_THROWS_AS(Misalignment{m}, std::invalid_argument);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"
@@ -12,7 +12,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The reading is 1 + error times what it was, and so is the bias in it", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const ScaleFactor term{PerAxis<TestType>(TestType(0.5), -2, 0)};
   const auto sample = applied(term, sample_with<TestType>(Vector(2, 3, 4), Vector(8, 5, 6)));
   CHECK(sample.value == Vector(3, -3, 4));

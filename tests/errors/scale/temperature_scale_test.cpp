@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 #include <utility>
 
@@ -17,7 +17,7 @@ constexpr auto heating = [](double elapsed) { return 20 + elapsed / 2; };
 }  // namespace
 
 TEMPLATE_TEST_CASE("The reading and the bias in it scale with the temperature", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const TemperatureScale term{PerAxis<TestType>(TestType(0.125), TestType(-0.25), 0), heating, TestType(30)};
   for (const auto& [elapsed, difference] : {std::pair(0, -10), std::pair(20, 0), std::pair(40, 10)}) {
     const auto sample =

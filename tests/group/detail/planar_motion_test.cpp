@@ -19,8 +19,8 @@ TEMPLATE_TEST_CASE("a planar motion is a rigid motion in the plane", "[group]", 
   for (const laws::Real angle : laws::angles()) {
     for (const double sign : {1.0, -1.0}) {
       const Scalar theta = static_cast<Scalar>(sign * angle);
-      const Vector2<Scalar> rho(static_cast<Scalar>(draw()), static_cast<Scalar>(draw()));
-      const Vector3<Scalar> rho3(rho.x(), rho.y(), 0), phi3(0, 0, theta);
+      const Eigen::Vector2<Scalar> rho(static_cast<Scalar>(draw()), static_cast<Scalar>(draw()));
+      const Eigen::Vector3<Scalar> rho3(rho.x(), rho.y(), 0), phi3(0, 0, theta);
       INFO("angle " << theta);
       const auto exp = planar_motion_exp<Scalar>(rho, theta);
       CHECK((exp.translation - rigid_motion_exp<Scalar>(rho3, phi3).translation.template head<2>()).norm() <=
@@ -30,8 +30,8 @@ TEMPLATE_TEST_CASE("a planar motion is a rigid motion in the plane", "[group]", 
       CHECK((planar_motion_log<Scalar>(rho, theta) - rigid_motion_log<Scalar>(rho3, phi3).template head<2>()).norm() <=
             tolerance);
       // J_l of SE(3), rows and columns of x, y and the rotation about z.
-      const auto expected = [&](const Matrix3<Scalar>& diagonal, const Matrix3<Scalar>& block) {
-        Matrix3<Scalar> m = diagonal;
+      const auto expected = [&](const Eigen::Matrix3<Scalar>& diagonal, const Eigen::Matrix3<Scalar>& block) {
+        Eigen::Matrix3<Scalar> m = diagonal;
         m.template topRightCorner<2, 1>() = block.template topRightCorner<2, 1>();
         return m;
       };
@@ -73,7 +73,7 @@ TEMPLATE_TEST_CASE("planar increments are relative to themselves", "[group]", fl
   x.translation() << Scalar(1 << 20), Scalar(-(1 << 20));
   G y = x;
   y.translation().x() += Scalar(0.125);
-  const Vector3<Scalar> d = increment<G>(x, y);
+  const Eigen::Vector3<Scalar> d = increment<G>(x, y);
   CHECK(std::abs(d[0] - std::cos(Scalar(0.5)) / 8) <= eps);
   CHECK(std::abs(d[1] + std::sin(Scalar(0.5)) / 8) <= eps);
   CHECK(d[2] == 0);

@@ -9,8 +9,8 @@ using namespace splinertia::detail;
 namespace {
 
 using Real = long double;
-using M3 = Matrix3<Real>;
-using V3 = Vector3<Real>;
+using M3 = Eigen::Matrix3<Real>;
+using V3 = Eigen::Vector3<Real>;
 
 /// J_l(φ) = Σ (φ^)ⁿ/(n + 1)! and its directional derivative along ρ, Σ Σ (φ^)^i ρ^ (φ^)^(n−1−i)/(n + 1)!, by their
 /// definitions: with no coefficient in common with the code. Loses a digit of long double's nineteen at π.
@@ -50,14 +50,14 @@ TEMPLATE_TEST_CASE("exp, log and blocks against their series", "[group]", float,
   for (const Real angle : laws::angles()) {
     for (int i = 0; i < 200; ++i) {
       const double p[6] = {draw(), draw(), draw(), draw(), draw(), draw()};
-      const Vector3<Scalar> rho = V3(p[0], p[1], p[2]).cast<Scalar>();
-      const Vector3<Scalar> phi = (angle * V3(p[3], p[4], p[5]).normalized()).cast<Scalar>();
+      const Eigen::Vector3<Scalar> rho = V3(p[0], p[1], p[2]).cast<Scalar>();
+      const Eigen::Vector3<Scalar> phi = (angle * V3(p[3], p[4], p[5]).normalized()).cast<Scalar>();
       M3 J, Q;
       series(rho.template cast<Real>(), phi.template cast<Real>(), J, Q);
       const V3 t = J * rho.template cast<Real>();
       const M3 J_inverse = J.inverse();
       exp = std::max(exp, units<Scalar>(rigid_motion_exp<Scalar>(rho, phi).translation, t));
-      const Vector3<Scalar> t_rounded = t.cast<Scalar>();
+      const Eigen::Vector3<Scalar> t_rounded = t.cast<Scalar>();
       log = std::max(log, units<Scalar>(rigid_motion_log<Scalar>(t_rounded, phi),
                                         V3(J_inverse * t_rounded.template cast<Real>())));
       jacobian = std::max(jacobian, units<Scalar>(rotation_left_jacobian<Scalar>(phi), J));

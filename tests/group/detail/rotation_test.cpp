@@ -12,7 +12,7 @@ template <typename Scalar>
 using Quaternion = Eigen::Quaternion<Scalar>;
 
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> random_vector(laws::Draws& draw) {
+[[nodiscard]] Eigen::Vector3<Scalar> random_vector(laws::Draws& draw) {
   const double x = draw(), y = draw(), z = draw();
   return Eigen::Vector3d(x, y, z).cast<Scalar>();
 }
@@ -35,7 +35,7 @@ TEMPLATE_TEST_CASE("SO(3) is a Lie group", "[group]", float, double, long double
 
 TEMPLATE_TEST_CASE("log of quaternions at the edges", "[group]", float, double, long double) {
   using Scalar = TestType;
-  using V = Vector3<Scalar>;
+  using V = Eigen::Vector3<Scalar>;
   const auto log = [](Scalar w, Scalar x, Scalar y, Scalar z) {
     return rotation_log<Scalar>(Quaternion<Scalar>(w, x, y, z));
   };
@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("log does not depend on the length of the quaternion", "[grou
   laws::Draws draw(21);
   for (const double length : {1e-6, 0.5, 1.01, 1e6}) {
     for (int i = 0; i < 100; ++i) {
-      const Vector3<Scalar> phi = random_vector<Scalar>(draw);
+      const Eigen::Vector3<Scalar> phi = random_vector<Scalar>(draw);
       Quaternion<Scalar> q = rotation_exp<Scalar>(phi);
       q.coeffs() *= Scalar(length);
       // exp, the product with length and log: one rounding of every component each.
@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE("log of quaternions of every finite length", "[group]", float
                                             {Scalar(0.5), Scalar(0.5), Scalar(-0.5), Scalar(0.5)}};
   for (int i = 0; i < 20; ++i) rotations.push_back(random_rotation<Scalar>(draw));
   for (const auto& q : rotations) {
-    const Vector3<Scalar> truth = log(q, 0);
+    const Eigen::Vector3<Scalar> truth = log(q, 0);
     // Powers of two change no digit, down to where the smallest component of the quaternion becomes subnormal.
     for (int exponent = Limits::min_exponent + 2 * Limits::digits; exponent < Limits::max_exponent; ++exponent) {
       INFO(exponent);
@@ -93,8 +93,8 @@ TEMPLATE_TEST_CASE("log of quaternions of every finite length", "[group]", float
     }
   }
   for (const Scalar tiny : {Limits::denorm_min(), Limits::min()}) {
-    CHECK(rotation_log<Scalar>({tiny, 0, 0, 0}) == Vector3<Scalar>::Zero());
-    CHECK(rotation_log<Scalar>({0, tiny, 0, 0}) == Vector3<Scalar>(pi<Scalar>, 0, 0));
+    CHECK(rotation_log<Scalar>({tiny, 0, 0, 0}) == Eigen::Vector3<Scalar>::Zero());
+    CHECK(rotation_log<Scalar>({0, tiny, 0, 0}) == Eigen::Vector3<Scalar>(pi<Scalar>, 0, 0));
     const Scalar quarter = rotation_log<Scalar>({tiny, 0, -tiny, 0}).y();
     CHECK(std::abs(quarter + pi<Scalar> / 2) <= 2 * Limits::epsilon());
   }
@@ -128,9 +128,9 @@ TEMPLATE_TEST_CASE("the increment of close rotations is exact to eps of itself",
     if (q.norm() < Scalar(0.1)) continue;
     const Quaternion<Scalar> r(w - x * a - y * b - z * c, x + w * a + y * c - z * b, y + w * b - x * c + z * a,
                                z + w * c + x * b - y * a);
-    const Vector3<Scalar> delta(a, b, c);
+    const Eigen::Vector3<Scalar> delta(a, b, c);
     const Scalar n = delta.norm();
-    const Vector3<Scalar> truth = n > 0 ? Vector3<Scalar>(delta * (2 * std::atan(n) / n)) : delta;
+    const Eigen::Vector3<Scalar> truth = n > 0 ? Eigen::Vector3<Scalar>(delta * (2 * std::atan(n) / n)) : delta;
     // Eight products of three bits each and log: 4 eps.
     CHECK((rotation_increment<Scalar>(q, r) - truth).norm() <= 4 * eps<Scalar> * n);
     // The same rotation with the other sign.
@@ -145,18 +145,18 @@ TEMPLATE_TEST_CASE("equal rotations have no increment", "[group]", float, double
   for (int i = 0; i < 100; ++i) {
     const Quaternion<Scalar> q = random_rotation<Scalar>(draw);
     const Quaternion<Scalar> minus(-q.w(), -q.x(), -q.y(), -q.z());
-    CHECK(rotation_increment<Scalar>(q, q) == Vector3<Scalar>::Zero());
-    CHECK(rotation_increment<Scalar>(q, minus) == Vector3<Scalar>::Zero());
-    CHECK(rotation_increment<Scalar>(minus, q) == Vector3<Scalar>::Zero());
+    CHECK(rotation_increment<Scalar>(q, q) == Eigen::Vector3<Scalar>::Zero());
+    CHECK(rotation_increment<Scalar>(q, minus) == Eigen::Vector3<Scalar>::Zero());
+    CHECK(rotation_increment<Scalar>(minus, q) == Eigen::Vector3<Scalar>::Zero());
   }
 }
 
 TEMPLATE_TEST_CASE("increments of exactly a half turn", "[group]", float, double, long double) {
   using Scalar = TestType;
   const Quaternion<Scalar> one(1, 0, 0, 0), i(0, 1, 0, 0), k(0, 0, 0, 1);
-  CHECK(rotation_increment<Scalar>(one, i) == Vector3<Scalar>(pi<Scalar>, 0, 0));
-  CHECK(rotation_increment<Scalar>(i, k) == Vector3<Scalar>(0, pi<Scalar>, 0));  // −i k = j
-  CHECK(rotation_increment<Scalar>(i, one) == Vector3<Scalar>(-pi<Scalar>, 0, 0));
+  CHECK(rotation_increment<Scalar>(one, i) == Eigen::Vector3<Scalar>(pi<Scalar>, 0, 0));
+  CHECK(rotation_increment<Scalar>(i, k) == Eigen::Vector3<Scalar>(0, pi<Scalar>, 0));  // −i k = j
+  CHECK(rotation_increment<Scalar>(i, one) == Eigen::Vector3<Scalar>(-pi<Scalar>, 0, 0));
 }
 
 TEMPLATE_TEST_CASE("rotate and its inverse are those of the matrix", "[group]", float, double, long double) {
@@ -164,13 +164,14 @@ TEMPLATE_TEST_CASE("rotate and its inverse are those of the matrix", "[group]", 
   laws::Draws draw(24);
   for (int i = 0; i < 100; ++i) {
     const Quaternion<Scalar> q = random_rotation<Scalar>(draw);
-    const Vector3<Scalar> v = random_vector<Scalar>(draw);
+    const Eigen::Vector3<Scalar> v = random_vector<Scalar>(draw);
     CHECK((rotate<Scalar>(q, v) - q.toRotationMatrix() * v).norm() <= 8 * eps<Scalar>);
     CHECK((rotate_inverse<Scalar>(q, v) - q.toRotationMatrix().transpose() * v).norm() <= 8 * eps<Scalar>);
   }
   // Turning about z by a right angle: x goes to y.
   const Quaternion<Scalar> quarter = rotation_exp<Scalar>({0, 0, pi<Scalar> / 2});
-  CHECK((rotate<Scalar>(quarter, Vector3<Scalar>::UnitX()) - Vector3<Scalar>::UnitY()).norm() <= 4 * eps<Scalar>);
+  CHECK((rotate<Scalar>(quarter, Eigen::Vector3<Scalar>::UnitX()) - Eigen::Vector3<Scalar>::UnitY()).norm() <=
+        4 * eps<Scalar>);
 }
 
 TEST_CASE("hat is the cross product", "[group]") {
@@ -184,8 +185,8 @@ TEST_CASE("hat is the cross product", "[group]") {
 TEMPLATE_TEST_CASE("Jacobians at π have no singularity", "[group]", float, double, long double) {
   using Scalar = TestType;
   // About z by π: J_l = [0 −2/π; 2/π 0], J_l⁻¹ = [0 π/2; −π/2 0] in the plane, 1 along z.
-  const Vector3<Scalar> phi(0, 0, pi<Scalar>);
-  Matrix3<Scalar> J, J_inverse;
+  const Eigen::Vector3<Scalar> phi(0, 0, pi<Scalar>);
+  Eigen::Matrix3<Scalar> J, J_inverse;
   J << 0, -2 / pi<Scalar>, 0, 2 / pi<Scalar>, 0, 0, 0, 0, 1;
   J_inverse << 0, pi<Scalar> / 2, 0, -pi<Scalar> / 2, 0, 0, 0, 0, 1;
   CHECK((rotation_left_jacobian<Scalar>(phi) - J).norm() <= 4 * eps<Scalar>);

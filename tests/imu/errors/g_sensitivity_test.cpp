@@ -17,10 +17,10 @@ const Eigen::Matrix3d G = (Eigen::Matrix3d() << 1, 2, 0, 0, 1, -1, 3, 0, 2).fini
 }
 
 TEMPLATE_TEST_CASE("G times the true specific force is added to the reading, and not to the bias", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   auto sample = sample_with<TestType>(Vector(1, 2, 3), Vector(4, 5, 6));
   sample.truth = {Vector(7, 7, 7), Vector(1, 2, 3)};
-  sample = applied(GSensitivity{Matrix3<TestType>(G.cast<TestType>())}, sample);
+  sample = applied(GSensitivity{Eigen::Matrix3<TestType>(G.cast<TestType>())}, sample);
   CHECK(sample.value == Vector(6, 1, 12));
   CHECK(sample.bias == Vector(4, 5, 6));
 }
@@ -29,9 +29,9 @@ TEMPLATE_TEST_CASE("Along a motion it is the specific force in the IMU's axes, w
                    "", float, double) {
   using Scalar = TestType;
   const Ellipse<Scalar> motion;
-  const Matrix3<Scalar> sensitivity = (G * 1e-3).cast<Scalar>();
+  const Eigen::Matrix3<Scalar> sensitivity = (G * 1e-3).cast<Scalar>();
   const Imu imu{ErrorModel{GSensitivity{sensitivity}}, ErrorModel{ConstantBias{Scalar(100)}}};
-  const Vector3<Scalar> gravity(1, 2, -9);
+  const Eigen::Vector3<Scalar> gravity(1, 2, -9);
   int n = 0;
   for (const auto& r : simulate(motion, imu, {.rate = 10, .gravity = gravity, .start = 0, .end = 20})) {
     const auto ideal = ideal_imu(motion.template evaluate<2>(r.time), gravity);

@@ -17,7 +17,7 @@ namespace {
 class RandomVector {
  public:
   template <typename Scalar>
-  Vector3<Scalar> next() {
+  Eigen::Vector3<Scalar> next() {
     const auto number = [&] { return static_cast<Scalar>(normal_(bits_)); };
     const Scalar x = number(), y = number(), z = number();
     return {x, y, z};

@@ -19,8 +19,9 @@ auto window(double rate, const Eigen::Matrix<Scalar, 6, 1>& d) {
   double t = 3, before = 3;
   for (std::size_t i = 0; i < samples.size(); ++i, before = t, t += 0.01 + 0.001 * static_cast<double>(i)) {
     const auto at = [](double x) { return static_cast<Scalar>(static_cast<float>(x)); };  // the same in all types
-    const Vector3<Scalar> gyro(at(rate * std::sin(9 * t)), at(rate * std::cos(8 * t)), at(-rate * std::sin(7 * t)));
-    const Vector3<Scalar> accel(at(3 * std::sin(6 * t)), at(10 + std::sin(50 * t)), at(-5 * std::cos(20 * t)));
+    const Eigen::Vector3<Scalar> gyro(at(rate * std::sin(9 * t)), at(rate * std::cos(8 * t)),
+                                      at(-rate * std::sin(7 * t)));
+    const Eigen::Vector3<Scalar> accel(at(3 * std::sin(6 * t)), at(10 + std::sin(50 * t)), at(-5 * std::cos(20 * t)));
     if constexpr (Scheme::takes_increments) {
       const auto h = static_cast<Scalar>(i == 0 ? 0.0078125 : t - before);
       samples[i] = {{(gyro + d.template head<3>()) * h, (accel + d.template tail<3>()) * h, h}, t};
@@ -54,7 +55,7 @@ void check_step(std::size_t from, double rate) {
   const Real turn = 1 + Real(rate) * h, force = 15;
   const auto compare = [&](const char* what, int row, int column, Real size) {
     INFO(what);
-    const Matrix3<Real> error = J.block<3, 3>(row, column) - numeric.block<3, 3>(row, column);
+    const Eigen::Matrix3<Real> error = J.block<3, 3>(row, column) - numeric.block<3, 3>(row, column);
     CHECK(error.cwiseAbs().maxCoeff() <= 16 * Real(testing::eps<Scalar>) * size * turn);
   };
   compare("R_w", 0, 0, h);

@@ -35,7 +35,7 @@ void add(std::vector<double>& stamps, int count, double interval) {
 template <typename Clock, typename Scalar = double, typename Scheme = Midpoint>
 int gaps(const std::vector<double>& stamps, GapOptions<Scalar> options = {}) {
   using Time = typename Clock::Time;
-  using Vector = Vector3<Scalar>;
+  using Vector = Eigen::Vector3<Scalar>;
   Integrator<Scheme, Scalar, Time> integrator(
       NavState<Scalar, Time>{{}, Vector::Zero(), Vector::Zero(), Clock::time(stamps.front())},
       standard_gravity<Scalar>(), options);

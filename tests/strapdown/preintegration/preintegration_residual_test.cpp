@@ -50,7 +50,7 @@ auto measured() {
 template <typename Scalar>
 auto residual(const Pair<Scalar>& pair) {
   return preintegration_residual(measured<Scalar>(), pair.i, pair.bias_i, pair.j, pair.bias_j,
-                                 Vector3<Scalar>(gravity.cast<Scalar>()));
+                                 Eigen::Vector3<Scalar>(gravity.cast<Scalar>()));
 }
 
 /// States that would fit what is measured, but for an attitude that is off by `angle` and other differences up to 1.
@@ -80,7 +80,7 @@ TEMPLATE_TEST_CASE("States that the same scheme integrates leave no residual", "
                              {Scalar(1), Scalar(2), Scalar(3)},
                              {Scalar(-4), Scalar(5), Scalar(6)},
                              2.0};
-    const Vector3<Scalar> g = gravity.cast<Scalar>();
+    const Eigen::Vector3<Scalar> g = gravity.cast<Scalar>();
     const auto j = integrate<Scheme>(i, samples, g).back();
     const auto imu = testing::preintegrate<Scheme, Scalar>(2.0, samples);
     // Sums of a hundred steps, of size 10.
@@ -106,14 +106,14 @@ TEMPLATE_TEST_CASE("The residual's Jacobians are right, also for large rotations
     const Eigen::Matrix<Real, 15, 30> numeric = testing::central_differences<15, 30, Real>(
         [&](const Eigen::Matrix<Real, 30, 1>& d) { return residual(exact.moved(d)); }, Real(1e-3L));
     const auto l = linearize_preintegration_residual(measured<TestType>(), pair.i, pair.bias_i, pair.j, pair.bias_j,
-                                                     Vector3<TestType>(gravity.cast<TestType>()));
+                                                     Eigen::Vector3<TestType>(gravity.cast<TestType>()));
     Eigen::Matrix<TestType, 15, 30> J;
     J << l.state_i, l.bias_i, l.state_j, l.bias_j;
     const Eigen::Matrix<Real, 15, 30> error = J.template cast<Real>() - numeric;
     // Entries up to 5, of what 30 steps have made; differences of large rotations err by 1e-15.
     CHECK(error.cwiseAbs().maxCoeff() <= std::max(Real(1e-12L), 30 * 5 * Real(testing::eps<TestType>)));
     CHECK(l.value == preintegration_residual(measured<TestType>(), pair.i, pair.bias_i, pair.j, pair.bias_j,
-                                             Vector3<TestType>(gravity.cast<TestType>())));
+                                             Eigen::Vector3<TestType>(gravity.cast<TestType>())));
   }
 }
 

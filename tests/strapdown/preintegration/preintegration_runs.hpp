@@ -38,8 +38,9 @@ std::vector<SampleOf<Scheme, Scalar>> some_samples(std::size_t intervals, double
   double t = 2, before = 2;
   for (std::size_t i = 0; i <= intervals; ++i, before = t, t += 0.01 * (1 + jitter * random.symmetric())) {
     const auto at = [](double x) { return static_cast<Scalar>(std::sin(x)); };
-    const Vector3<Scalar> gyro = Scalar(3) * Vector3<Scalar>(at(7 * t), at(5 * t + 1), at(6 * t + 2));
-    const Vector3<Scalar> accel(Scalar(4) * at(8 * t), Scalar(5) * at(9 * t + 1), Scalar(9) + Scalar(3) * at(4 * t));
+    const Eigen::Vector3<Scalar> gyro = Scalar(3) * Eigen::Vector3<Scalar>(at(7 * t), at(5 * t + 1), at(6 * t + 2));
+    const Eigen::Vector3<Scalar> accel(Scalar(4) * at(8 * t), Scalar(5) * at(9 * t + 1),
+                                       Scalar(9) + Scalar(3) * at(4 * t));
     if constexpr (Scheme::takes_increments) {
       const auto h = static_cast<Scalar>(t - before);
       if (i > 0) samples.push_back({t, gyro * h, accel * h});
@@ -70,7 +71,7 @@ Eigen::Matrix<Scalar, 9, 1> difference(const NavIncrement<Scalar>& a, const NavI
 template <typename Scalar>
 Eigen::Matrix<Scalar, 9, 6> as_matrix(const BiasJacobians<Scalar>& J) {
   Eigen::Matrix<Scalar, 9, 6> m;
-  m << J.R_gyro, Matrix3<Scalar>::Zero(), J.v_gyro, J.v_accel, J.p_gyro, J.p_accel;
+  m << J.R_gyro, Eigen::Matrix3<Scalar>::Zero(), J.v_gyro, J.v_accel, J.p_gyro, J.p_accel;
   return m;
 }
 

@@ -37,7 +37,7 @@ using Window = std::array<std::conditional_t<Scheme::takes_increments, StepMean<
 
 /// A window of samples of a constant rate and force.
 template <typename Scheme, typename Scalar>
-Window<Scheme, Scalar> constant(const Vector3<Scalar>& gyro, const Vector3<Scalar>& accel, Scalar h) {
+Window<Scheme, Scalar> constant(const Eigen::Vector3<Scalar>& gyro, const Eigen::Vector3<Scalar>& accel, Scalar h) {
   Window<Scheme, Scalar> window;
   for (std::size_t i = 0; i < window.size(); ++i) {
     if constexpr (Scheme::takes_increments) {
@@ -70,10 +70,10 @@ TEMPLATE_TEST_CASE("A constant rate and force are integrated to rounding, howeve
     const long double eps = std::numeric_limits<Scalar>::epsilon();
     for (const double angle : {1e-12, 1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1.0, 2.0, 3.0}) {
       const Scalar h = Scalar(1) / Scalar(128);  // its multiples are exact
-      const Vector3<Scalar> gyro = Vector3<Scalar>(1, -2, 2) / Scalar(3) * static_cast<Scalar>(angle) / h;
-      const Vector3<Scalar> accel(3, 1, -9);
+      const Eigen::Vector3<Scalar> gyro = Eigen::Vector3<Scalar>(1, -2, 2) / Scalar(3) * static_cast<Scalar>(angle) / h;
+      const Eigen::Vector3<Scalar> accel(3, 1, -9);
       const auto got = step_increment<TestType, Scalar>(constant<TestType, Scalar>(gyro, accel, h), 0);
-      const GalileanVector<Scalar> step{gyro * got.interval, accel * got.interval, Vector3<Scalar>::Zero(),
+      const GalileanVector<Scalar> step{gyro * got.interval, accel * got.interval, Eigen::Vector3<Scalar>::Zero(),
                                         got.interval};
       CAPTURE(angle);
       const auto expected = matrix_exponential(galilean_matrix(step));

@@ -30,11 +30,11 @@ struct CalibrationRows {
 
 /// Two axes B orthogonal to gravity and of its length, m/s²: to first order, g + B ξ is g turned by ξ rad.
 template <typename Scalar>
-[[nodiscard]] Eigen::Matrix<Scalar, 3, 2> gravity_tangent(const Vector3<Scalar>& gravity) {
+[[nodiscard]] Eigen::Matrix<Scalar, 3, 2> gravity_tangent(const Eigen::Vector3<Scalar>& gravity) {
   Eigen::Matrix<Scalar, 3, 2> basis;
   int smallest;
   gravity.cwiseAbs().minCoeff(&smallest);
-  basis.col(0) = gravity.cross(Vector3<Scalar>::Unit(smallest)).normalized();
+  basis.col(0) = gravity.cross(Eigen::Vector3<Scalar>::Unit(smallest)).normalized();
   basis.col(1) = gravity.normalized().cross(basis.col(0));
   return basis * gravity.norm();
 }
@@ -116,8 +116,8 @@ class InertialTerm {
   Scalar add(const Curve& curve, const ImuCalibration<Scalar>& calibration, System& system) const {
     Scalar cost(0);
     const auto gravity_axes = gravity_tangent<Scalar>(calibration.gravity);
-    const Matrix3<Scalar> to_imu = calibration.mounting.R_BI.matrix().transpose();
-    const Vector3<Scalar>& l = calibration.mounting.p_BI;
+    const Eigen::Matrix3<Scalar> to_imu = calibration.mounting.R_BI.matrix().transpose();
+    const Eigen::Vector3<Scalar>& l = calibration.mounting.p_BI;
     Eigen::Matrix<Scalar, 6, 1> weight;
     weight.template head<3>().setConstant(Scalar(1) / options_.gyro_standard_deviation);
     weight.template tail<3>().setConstant(Scalar(1) / options_.accel_standard_deviation);
@@ -131,10 +131,10 @@ class InertialTerm {
       r = r.cwiseProduct(weight).eval();
       cost += r.squaredNorm();
 
-      const Vector3<Scalar> omega = angular_velocity(at), alpha = angular_acceleration(at);
-      const Vector3<Scalar> force = specific_force(at, calibration.gravity);
+      const Eigen::Vector3<Scalar> omega = angular_velocity(at), alpha = angular_acceleration(at);
+      const Eigen::Vector3<Scalar> force = specific_force(at, calibration.gravity);
       std::array<Eigen::Matrix<Scalar, 6, 6>, Curve::order> J;
-      const Matrix3<Scalar> swing = hat<Scalar>(omega.cross(l)) + hat<Scalar>(omega) * hat<Scalar>(l);
+      const Eigen::Matrix3<Scalar> swing = hat<Scalar>(omega.cross(l)) + hat<Scalar>(omega) * hat<Scalar>(l);
       for (std::size_t j = 0; j < J.size(); ++j) {
         const auto omega_j = angular_velocity_jacobian(at, j);
         J[j].template topRows<3>() = to_imu * omega_j;

@@ -10,10 +10,12 @@ namespace splinertia::detail {
 /// 3 × 3 products instead of eight.
 template <typename Scalar>
 struct DualMatrix3 {
-  Matrix3<Scalar> real;  ///< A
-  Matrix3<Scalar> dual;  ///< B
+  Eigen::Matrix3<Scalar> real;  ///< A
+  Eigen::Matrix3<Scalar> dual;  ///< B
 
-  [[nodiscard]] static DualMatrix3 identity() { return {Matrix3<Scalar>::Identity(), Matrix3<Scalar>::Zero()}; }
+  [[nodiscard]] static DualMatrix3 identity() {
+    return {Eigen::Matrix3<Scalar>::Identity(), Eigen::Matrix3<Scalar>::Zero()};
+  }
 
   [[nodiscard]] DualMatrix3 operator*(const DualMatrix3& other) const {
     return {real * other.real, real * other.dual + dual * other.real};

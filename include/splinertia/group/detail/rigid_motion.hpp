@@ -16,12 +16,13 @@ namespace splinertia::detail {
 template <typename Scalar>
 struct RigidMotionExp {
   Eigen::Quaternion<Scalar> rotation;
-  Vector3<Scalar> translation;
+  Eigen::Vector3<Scalar> translation;
 };
 
 /// exp([ρ; φ]).
 template <typename Scalar>
-[[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Vector3<Scalar>& rho, const Vector3<Scalar>& phi) {
+[[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Eigen::Vector3<Scalar>& rho,
+                                                             const Eigen::Vector3<Scalar>& phi) {
   const auto c = stumpff<3>(scalar_product<Scalar>(phi, phi));
   const Scalar s = c.half[1] / Constant<Scalar>(2);
   return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()},
@@ -30,16 +31,18 @@ template <typename Scalar>
 
 /// The ρ of log(T) for the translation t and the rotation vector φ of T: J_l(φ)⁻¹ t = t − φ×t/2 + E φ×(φ×t).
 template <typename Scalar>
-[[nodiscard]] inline Vector3<Scalar> rigid_motion_log(const Vector3<Scalar>& t, const Vector3<Scalar>& phi) {
+[[nodiscard]] inline Eigen::Vector3<Scalar> rigid_motion_log(const Eigen::Vector3<Scalar>& t,
+                                                             const Eigen::Vector3<Scalar>& phi) {
   const Scalar E = inverse_jacobian_coefficient(stumpff<3>(Scalar(phi.squaredNorm())));
-  const Vector3<Scalar> phi_t = phi.cross(t);
+  const Eigen::Vector3<Scalar> phi_t = phi.cross(t);
   return t - phi_t / Constant<Scalar>(2) + E * phi.cross(phi_t);
 }
 
 /// φ^ρ^ + ρ^φ^ = φρᵀ + ρφᵀ − 2(φ·ρ) I, a symmetric matrix.
 template <typename Scalar>
-[[nodiscard]] inline Matrix3<Scalar> hat_anticommutator(const Vector3<Scalar>& phi, const Vector3<Scalar>& rho) {
-  Matrix3<Scalar> m = phi * rho.transpose() + rho * phi.transpose();
+[[nodiscard]] inline Eigen::Matrix3<Scalar> hat_anticommutator(const Eigen::Vector3<Scalar>& phi,
+                                                               const Eigen::Vector3<Scalar>& rho) {
+  Eigen::Matrix3<Scalar> m = phi * rho.transpose() + rho * phi.transpose();
   const Scalar xx = phi.x() * rho.x(), yy = phi.y() * rho.y(), zz = phi.z() * rho.z();
   // The diagonal is summed term by term: subtracting the dot product would cancel.
   m(0, 0) = -Constant<Scalar>(2) * (yy + zz);
@@ -52,8 +55,8 @@ template <typename Scalar>
 ///   Q = c₂ ρ^ + c₃ (φ^ρ^ + ρ^φ^) + (φ·ρ)[(2c₄ − c₃) φ^ + (3c₅ − c₄) φ^²].
 /// Barfoot (7.85), (7.86), rewritten.
 template <typename Scalar>
-[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian(const Vector3<Scalar>& rho,
-                                                                    const Vector3<Scalar>& phi) {
+[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian(const Eigen::Vector3<Scalar>& rho,
+                                                                    const Eigen::Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
   const Scalar dot = phi.dot(rho);
   return {hat_polynomial<Scalar>(Scalar(1), c.full[2], c.full[3], phi),
@@ -64,8 +67,8 @@ template <typename Scalar>
 /// J_l([ρ; φ])⁻¹ = [J_l(φ)⁻¹ B; 0 J_l(φ)⁻¹], |φ| < 2π, with
 ///   B = −ρ^/2 + E (φ^ρ^ + ρ^φ^) + (φ·ρ) (dE/dθ)/θ φ^².
 template <typename Scalar>
-[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian_inverse(const Vector3<Scalar>& rho,
-                                                                            const Vector3<Scalar>& phi) {
+[[nodiscard]] inline DualMatrix3<Scalar> rigid_motion_left_jacobian_inverse(const Eigen::Vector3<Scalar>& rho,
+                                                                            const Eigen::Vector3<Scalar>& phi) {
   const auto c = stumpff<5>(Scalar(phi.squaredNorm()));
   const Scalar E = inverse_jacobian_coefficient(c);
   const Scalar minus_half(Constant<Scalar>(-1) / Constant<Scalar>(2));

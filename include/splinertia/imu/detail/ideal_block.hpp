@@ -31,8 +31,9 @@ class IdealImuBlock {
   /// about 1/rate seconds apart. `gravity` in the world, m/s²; `mounting`: a Mounting or NotMounted. Returns
   /// true if all are finite; false can also mean that their sums overflow.
   template <typename Mount>
-  [[nodiscard]] SPLINERTIA_NOINLINE bool fill(const C& curve, const Vector3<Scalar>& gravity, const Mount& mounting,
-                                              double rate, std::size_t first, std::size_t count, const auto& time) {
+  [[nodiscard]] SPLINERTIA_NOINLINE bool fill(const C& curve, const Eigen::Vector3<Scalar>& gravity,
+                                              const Mount& mounting, double rate, std::size_t first, std::size_t count,
+                                              const auto& time) {
     first_ = first;
     end_ = first + count;
     for (std::size_t i = 0; i < count; ++i) times_[i] = time(first + i);

@@ -43,9 +43,9 @@ class MeanImu {
   }
 
   /// Requires begin < end, both in the domain of the curve.
-  [[nodiscard]] ImuMeasurement<Scalar> operator()(const C& curve, const Vector3<Scalar>& gravity, const Mount& mounting,
-                                                  Time begin, Time end) const {
-    ImuMeasurement<Scalar> mean{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero()};
+  [[nodiscard]] ImuMeasurement<Scalar> operator()(const C& curve, const Eigen::Vector3<Scalar>& gravity,
+                                                  const Mount& mounting, Time begin, Time end) const {
+    ImuMeasurement<Scalar> mean{Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero()};
     const Scalar whole = to_seconds<Scalar>(end - begin);
     const auto add = [&](Time from, Time to) {
       const Scalar share = to_seconds<Scalar>(to - from) / whole;
@@ -72,7 +72,7 @@ class MeanImu {
   }
 
  private:
-  [[nodiscard]] static ImuMeasurement<Scalar> ideal(const C& curve, const Vector3<Scalar>& gravity,
+  [[nodiscard]] static ImuMeasurement<Scalar> ideal(const C& curve, const Eigen::Vector3<Scalar>& gravity,
                                                     const Mount& mounting, Time t) {
     return flattened<Scalar>([&] {
       if constexpr (std::is_same_v<Mount, NotMounted>) {

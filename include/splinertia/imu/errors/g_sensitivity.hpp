@@ -15,10 +15,10 @@ struct GSensitivity {
   static constexpr std::string_view name = "g-sensitivity";
   struct State {};
 
-  Matrix3<Scalar> sensitivity;
+  Eigen::Matrix3<Scalar> sensitivity;
 
   /// Throws std::invalid_argument unless all elements are finite.
-  GSensitivity(const Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
+  GSensitivity(const Eigen::Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
     detail::require_finite("GSensitivity", "sensitivity", sensitivity);
   }
 

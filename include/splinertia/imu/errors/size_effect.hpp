@@ -20,23 +20,23 @@ template <typename Scalar = double>
 struct SizeEffect {
   static constexpr std::string_view name = "size effect";
   struct State {
-    Vector3<Scalar> rate, slope;  // ω, and its last difference quotient
-    Scalar interval = Scalar(0);  // of `slope`; 0 as long as there is none
+    Eigen::Vector3<Scalar> rate, slope;  // ω, and its last difference quotient
+    Scalar interval = Scalar(0);         // of `slope`; 0 as long as there is none
   };
 
-  Matrix3<Scalar> positions;
+  Eigen::Matrix3<Scalar> positions;
 
   /// Throws std::invalid_argument unless all positions and their third powers are finite.
-  SizeEffect(const Matrix3<Scalar>& positions_) : positions(positions_) {
+  SizeEffect(const Eigen::Matrix3<Scalar>& positions_) : positions(positions_) {
     for (int i = 0; i < 9; ++i) detail::require_factor("SizeEffect", "position", positions(i / 3, i % 3));
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State& state) const {
-    const Vector3<Scalar>& rate = sample.truth.gyro;
-    Vector3<Scalar> alpha = Vector3<Scalar>::Zero();
+    const Eigen::Vector3<Scalar>& rate = sample.truth.gyro;
+    Eigen::Vector3<Scalar> alpha = Eigen::Vector3<Scalar>::Zero();
     if (!sample.first) {
       const Scalar h = sample.interval;
-      const Vector3<Scalar> slope = (rate - state.rate) / h;
+      const Eigen::Vector3<Scalar> slope = (rate - state.rate) / h;
       alpha = slope;
       if (state.interval > Scalar(0)) alpha += (slope - state.slope) * (h / (h + state.interval));
       state.slope = slope;
@@ -44,7 +44,7 @@ struct SizeEffect {
     }
     state.rate = rate;
     for (int i = 0; i < 3; ++i) {
-      const Vector3<Scalar> r = positions.col(i);
+      const Eigen::Vector3<Scalar> r = positions.col(i);
       sample.value[i] += (alpha.cross(r) + rate.cross(rate.cross(r)))[i];
     }
   }

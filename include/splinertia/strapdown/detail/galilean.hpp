@@ -17,7 +17,7 @@ namespace splinertia::detail {
 /// [ φ^ ν ρ; 0 0 τ; 0 0 0 ]: φ in rad, ν in m/s, ρ in m, τ in s.
 template <typename Scalar>
 struct GalileanVector {
-  Vector3<Scalar> phi, nu, rho;
+  Eigen::Vector3<Scalar> phi, nu, rho;
   Scalar tau;
 
   [[nodiscard]] GalileanVector operator+(const GalileanVector& other) const {
@@ -40,25 +40,26 @@ template <typename Scalar>
 template <typename Scalar>
 struct NavIncrement {
   Eigen::Quaternion<Scalar> rotation;  ///< from the axes at the end to those at the beginning; unit to rounding
-  Vector3<Scalar> velocity;            ///< m/s
-  Vector3<Scalar> position;            ///< m
+  Eigen::Vector3<Scalar> velocity;     ///< m/s
+  Eigen::Vector3<Scalar> position;     ///< m
   Scalar interval;                     ///< s
 };
 
 /// The left Jacobian of SO(3) times a: J a = a + c₂ φ × a + c₃ φ × (φ × a), with c from stumpff<5>(|φ|²).
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> times_left_jacobian(const StumpffValues<Scalar, 5>& c, const Vector3<Scalar>& phi,
-                                                  const Vector3<Scalar>& a) {
-  const Vector3<Scalar> once = phi.cross(a);
+[[nodiscard]] Eigen::Vector3<Scalar> times_left_jacobian(const StumpffValues<Scalar, 5>& c,
+                                                         const Eigen::Vector3<Scalar>& phi,
+                                                         const Eigen::Vector3<Scalar>& a) {
+  const Eigen::Vector3<Scalar> once = phi.cross(a);
   return a + c.full[2] * once + c.full[3] * phi.cross(once);
 }
 
 /// exp(φ, ν, 0, τ): R = exp(φ^), v = J ν, p = τ H ν with J = I + c₂ φ^ + c₃ φ^² and H = I/2 + c₃ φ^ + c₄ φ^².
 template <typename Scalar>
-[[nodiscard]] NavIncrement<Scalar> galilean_exp(const StumpffValues<Scalar, 5>& c, const Vector3<Scalar>& phi,
-                                                const Vector3<Scalar>& nu, const Scalar& tau) {
+[[nodiscard]] NavIncrement<Scalar> galilean_exp(const StumpffValues<Scalar, 5>& c, const Eigen::Vector3<Scalar>& phi,
+                                                const Eigen::Vector3<Scalar>& nu, const Scalar& tau) {
   const Scalar s = c.half[1] / Constant<Scalar>(2);
-  const Vector3<Scalar> once = phi.cross(nu), twice = phi.cross(once);
+  const Eigen::Vector3<Scalar> once = phi.cross(nu), twice = phi.cross(once);
   return {{c.half[0], s * phi.x(), s * phi.y(), s * phi.z()},
           nu + c.full[2] * once + c.full[3] * twice,
           tau * (nu / Constant<Scalar>(2) + c.full[3] * once + c.full[4] * twice),

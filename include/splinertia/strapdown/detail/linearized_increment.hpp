@@ -14,8 +14,8 @@ namespace splinertia::detail {
 template <typename Scalar>
 struct LinearizedIncrement {
   NavIncrement<Scalar> value;
-  Matrix3<Scalar> R_w, v_w, p_w;
-  Matrix3<Scalar> v_f, p_f;
+  Eigen::Matrix3<Scalar> R_w, v_w, p_w;
+  Eigen::Matrix3<Scalar> v_f, p_f;
 };
 
 /// The coefficient functions of galilean.hpp: a ↦ constant·a + c_m φ×a + c_n φ×(φ×a) as a matrix, and its derivative
@@ -27,13 +27,14 @@ struct CrossPolynomial {
   explicit CrossPolynomial(const StumpffValues<Scalar, 5>& c)
       : cm(c.full[m]), cn(c.full[n]), dm(stumpff_derivative<m>(c)), dn(stumpff_derivative<n>(c)) {}
 
-  [[nodiscard]] Matrix3<Scalar> matrix(const Scalar& constant, const Vector3<Scalar>& phi) const {
-    const Matrix3<Scalar> phi_hat = hat<Scalar>(phi);
-    return constant * Matrix3<Scalar>::Identity() + cm * phi_hat + cn * phi_hat * phi_hat;
+  [[nodiscard]] Eigen::Matrix3<Scalar> matrix(const Scalar& constant, const Eigen::Vector3<Scalar>& phi) const {
+    const Eigen::Matrix3<Scalar> phi_hat = hat<Scalar>(phi);
+    return constant * Eigen::Matrix3<Scalar>::Identity() + cm * phi_hat + cn * phi_hat * phi_hat;
   }
-  [[nodiscard]] Matrix3<Scalar> derivative(const Vector3<Scalar>& phi, const Vector3<Scalar>& a) const {
-    const Vector3<Scalar> once = phi.cross(a);
-    const Matrix3<Scalar> a_hat = hat<Scalar>(a);
+  [[nodiscard]] Eigen::Matrix3<Scalar> derivative(const Eigen::Vector3<Scalar>& phi,
+                                                  const Eigen::Vector3<Scalar>& a) const {
+    const Eigen::Vector3<Scalar> once = phi.cross(a);
+    const Eigen::Matrix3<Scalar> a_hat = hat<Scalar>(a);
     return -cm * a_hat - cn * (hat<Scalar>(once) + hat<Scalar>(phi) * a_hat) +
            (dm * once + dn * phi.cross(once)) * phi.transpose();
   }
@@ -51,12 +52,12 @@ template <typename Scalar>
   result.value.position += times_left_jacobian(c, omega.phi, omega.rho);
 
   // Derivatives of Ω's φ and ν: an offset adds h times itself to the integrals and leaves the first moments unchanged.
-  const Matrix3<Scalar> dphi_w = h * (Matrix3<Scalar>::Identity() - hat<Scalar>(m.phi_moment));
-  const Matrix3<Scalar> dnu_w = -h * hat<Scalar>(m.nu_moment);
-  const Matrix3<Scalar>& dnu_f = dphi_w;
+  const Eigen::Matrix3<Scalar> dphi_w = h * (Eigen::Matrix3<Scalar>::Identity() - hat<Scalar>(m.phi_moment));
+  const Eigen::Matrix3<Scalar> dnu_w = -h * hat<Scalar>(m.nu_moment);
+  const Eigen::Matrix3<Scalar>& dnu_f = dphi_w;
 
-  const Matrix3<Scalar> J_matrix = J.matrix(Scalar(1), omega.phi);
-  const Matrix3<Scalar> H_matrix = h * H.matrix(Scalar(1) / Scalar(2), omega.phi);
+  const Eigen::Matrix3<Scalar> J_matrix = J.matrix(Scalar(1), omega.phi);
+  const Eigen::Matrix3<Scalar> H_matrix = h * H.matrix(Scalar(1) / Scalar(2), omega.phi);
   result.R_w = J_matrix.transpose() * dphi_w;  // J_r(φ) = J_l(−φ) = J_l(φ)ᵀ
   result.v_w = J.derivative(omega.phi, omega.nu) * dphi_w + J_matrix * dnu_w;
   result.v_f = J_matrix * dnu_f;
@@ -73,7 +74,7 @@ template <typename Scalar>
   const Scalar h = m.interval;
   LinearizedIncrement<Scalar> result;
   result.value = galilean_exp(c, m.phi, m.nu, h);
-  const Matrix3<Scalar> J_matrix = h * J.matrix(Scalar(1), m.phi);
+  const Eigen::Matrix3<Scalar> J_matrix = h * J.matrix(Scalar(1), m.phi);
   result.R_w = J_matrix.transpose();
   result.v_w = h * J.derivative(m.phi, m.nu);
   result.v_f = J_matrix;

@@ -37,7 +37,7 @@ class SampleWindow {
   /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
   explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {})
       : stamps_(start, gaps, window > 1 ? static_cast<int>(window) - 1 : 1) {
-    const Vector3<Scalar> zero = Vector3<Scalar>::Zero();
+    const Eigen::Vector3<Scalar> zero = Eigen::Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
       samples_.fill({{zero, zero, Scalar(0)}, start});
     } else {
@@ -89,7 +89,8 @@ class SampleWindow {
   static constexpr std::size_t window = Scheme::window;
   using Stamps = SampleStamps<Scalar, Time>;
 
-  SPLINERTIA_ALWAYS_INLINE void check(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+  SPLINERTIA_ALWAYS_INLINE void check(Time time, const Eigen::Vector3<Scalar>& rate,
+                                      const Eigen::Vector3<Scalar>& force) {
     using std::abs;
     if constexpr (Scheme::needs_equal_intervals) {
       // A deviation of 1 % causes an error of 1 % of the correction, which is itself small. Stamps jitter by less.
@@ -118,7 +119,7 @@ class SampleWindow {
   }
 
   // Not inlined, because it is rare.
-  SPLINERTIA_COLD void examine(Time time, const Vector3<Scalar>& rate, const Vector3<Scalar>& force) {
+  SPLINERTIA_COLD void examine(Time time, const Eigen::Vector3<Scalar>& rate, const Eigen::Vector3<Scalar>& force) {
     Stamps stamps = stamps_;
     if (takes_increments || pushed_ > 0) {
       stamps = stamps_.judged(time, pushed_, takes_increments ? pushed_ : pushed_ - 1);

@@ -8,8 +8,8 @@ namespace splinertia {
 /// Additive biases of an IMU: reading = truth + bias.
 template <typename Scalar = double>
 struct ImuBias {
-  Vector3<Scalar> gyro = Vector3<Scalar>::Zero();   ///< rad/s
-  Vector3<Scalar> accel = Vector3<Scalar>::Zero();  ///< m/s²
+  Eigen::Vector3<Scalar> gyro = Eigen::Vector3<Scalar>::Zero();   ///< rad/s
+  Eigen::Vector3<Scalar> accel = Eigen::Vector3<Scalar>::Zero();  ///< m/s²
 };
 
 namespace detail {
@@ -18,9 +18,9 @@ namespace detail {
 ///   ΔR(b + d) = ΔR exp(R_gyro d_gyro),  Δv(b + d) = Δv + v_gyro d_gyro + v_accel d_accel,  Δp likewise
 template <typename Scalar>
 struct BiasJacobians {
-  Matrix3<Scalar> R_gyro = Matrix3<Scalar>::Zero();
-  Matrix3<Scalar> v_gyro = Matrix3<Scalar>::Zero(), v_accel = Matrix3<Scalar>::Zero();
-  Matrix3<Scalar> p_gyro = Matrix3<Scalar>::Zero(), p_accel = Matrix3<Scalar>::Zero();
+  Eigen::Matrix3<Scalar> R_gyro = Eigen::Matrix3<Scalar>::Zero();
+  Eigen::Matrix3<Scalar> v_gyro = Eigen::Matrix3<Scalar>::Zero(), v_accel = Eigen::Matrix3<Scalar>::Zero();
+  Eigen::Matrix3<Scalar> p_gyro = Eigen::Matrix3<Scalar>::Zero(), p_accel = Eigen::Matrix3<Scalar>::Zero();
 };
 
 }  // namespace detail

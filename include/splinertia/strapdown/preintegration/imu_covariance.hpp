@@ -55,7 +55,7 @@ class ImuCovariance {
 
   /// Appends a further part with motion `next`, bias Jacobians `of_next` and covariance `with`. R is the attitude at
   /// its beginning.
-  void append(const Matrix3<Scalar>& R, const NavIncrement<Scalar>& next, const BiasJacobians<Scalar>& of_next,
+  void append(const Eigen::Matrix3<Scalar>& R, const NavIncrement<Scalar>& next, const BiasJacobians<Scalar>& of_next,
               const ImuCovariance& with) {
     // G J, and G J times the covariance of the bias changes.
     Eigen::Matrix<Scalar, 9, 6> GJ = as_matrix(of_next);
@@ -98,7 +98,7 @@ class ImuCovariance {
   }
 
   // m becomes G m.
-  static void turn(auto& m, const Matrix3<Scalar>& R) {
+  static void turn(auto& m, const Eigen::Matrix3<Scalar>& R) {
     m.template middleRows<3>(3) = (R * m.template middleRows<3>(3)).eval();
     m.template middleRows<3>(6) = (R * m.template middleRows<3>(6)).eval();
   }

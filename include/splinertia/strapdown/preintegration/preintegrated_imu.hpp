@@ -24,7 +24,8 @@ template <typename Scalar, typename Covariance = detail::NoCovariance>
 class PreintegratedImu {
  public:
   explicit PreintegratedImu(const ImuBias<Scalar>& bias = {}) : bias_(bias) {
-    delta_ = {Eigen::Quaternion<Scalar>::Identity(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Scalar(0)};
+    delta_ = {Eigen::Quaternion<Scalar>::Identity(), Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero(),
+              Scalar(0)};
   }
 
   /// ΔR, Δv, Δp and Δt.
@@ -35,8 +36,8 @@ class PreintegratedImu {
 
   /// The motion for other biases, to first order in their difference from bias().
   [[nodiscard]] detail::NavIncrement<Scalar> corrected(const ImuBias<Scalar>& bias) const {
-    const Vector3<Scalar> dg = bias.gyro - bias_.gyro, da = bias.accel - bias_.accel;
-    const Vector3<Scalar> turn = jacobians_.R_gyro * dg;
+    const Eigen::Vector3<Scalar> dg = bias.gyro - bias_.gyro, da = bias.accel - bias_.accel;
+    const Eigen::Vector3<Scalar> turn = jacobians_.R_gyro * dg;
     return {detail::quaternion_product(delta_.rotation, detail::rotation_exp<Scalar>(turn)),
             delta_.velocity + jacobians_.v_gyro * dg + jacobians_.v_accel * da,
             delta_.position + jacobians_.p_gyro * dg + jacobians_.p_accel * da, delta_.interval};
@@ -54,8 +55,8 @@ class PreintegratedImu {
  private:
   void append(const detail::NavIncrement<Scalar>& next, const detail::BiasJacobians<Scalar>& of_next,
               const Covariance& with) {
-    const Matrix3<Scalar> R = delta_.rotation.toRotationMatrix();
-    const Matrix3<Scalar> R_next = next.rotation.toRotationMatrix();
+    const Eigen::Matrix3<Scalar> R = delta_.rotation.toRotationMatrix();
+    const Eigen::Matrix3<Scalar> R_next = next.rotation.toRotationMatrix();
     if constexpr (requires { covariance_.append(R, next, of_next, with); }) covariance_.append(R, next, of_next, with);
 
     detail::BiasJacobians<Scalar>& J = jacobians_;

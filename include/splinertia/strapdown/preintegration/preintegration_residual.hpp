@@ -35,7 +35,7 @@ struct LinearizedPreintegrationResidual {
 template <typename Scalar, typename Covariance, TimePoint Time>
 [[nodiscard]] detail::PreintegrationResidual<Scalar> preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
-    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity) {
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Eigen::Vector3<Scalar>& gravity) {
   const detail::NavIncrement<Scalar> delta = imu.corrected(bias_i);
   const auto& q_i = i.R_WB.unit_quaternion();
   const Scalar t = delta.interval;
@@ -54,22 +54,22 @@ template <typename Scalar, typename Covariance, TimePoint Time>
 template <typename Scalar, typename Covariance, TimePoint Time>
 [[nodiscard]] detail::LinearizedPreintegrationResidual<Scalar> linearize_preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
-    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity) {
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Eigen::Vector3<Scalar>& gravity) {
   detail::LinearizedPreintegrationResidual<Scalar> result;
   result.value = preintegration_residual(imu, i, bias_i, j, bias_j, gravity);
-  const Matrix3<Scalar> identity = Matrix3<Scalar>::Identity();
-  const Matrix3<Scalar> R_i_transposed = i.R_WB.unit_quaternion().toRotationMatrix().transpose();
-  const Matrix3<Scalar> R_j_transposed = j.R_WB.unit_quaternion().toRotationMatrix().transpose();
+  const Eigen::Matrix3<Scalar> identity = Eigen::Matrix3<Scalar>::Identity();
+  const Eigen::Matrix3<Scalar> R_i_transposed = i.R_WB.unit_quaternion().toRotationMatrix().transpose();
+  const Eigen::Matrix3<Scalar> R_j_transposed = j.R_WB.unit_quaternion().toRotationMatrix().transpose();
   const Scalar t = imu.delta().interval;
   const detail::BiasJacobians<Scalar>& J = imu.jacobians();
-  const Vector3<Scalar> r = result.value.template segment<3>(0);
-  const Matrix3<Scalar> inverse = detail::rotation_left_jacobian_inverse<Scalar>(-r);  // J_r⁻¹(r)
-  const Vector3<Scalar> turn = J.R_gyro * (bias_i.gyro - imu.bias().gyro);
+  const Eigen::Vector3<Scalar> r = result.value.template segment<3>(0);
+  const Eigen::Matrix3<Scalar> inverse = detail::rotation_left_jacobian_inverse<Scalar>(-r);  // J_r⁻¹(r)
+  const Eigen::Vector3<Scalar> turn = J.R_gyro * (bias_i.gyro - imu.bias().gyro);
 
   result.state_i.setZero();
   result.state_i.template block<3, 3>(0, 0) = -inverse * R_j_transposed * R_i_transposed.transpose();
-  const Vector3<Scalar> dv = R_i_transposed * (j.v_WB - i.v_WB - gravity * t);
-  const Vector3<Scalar> dp = R_i_transposed * (j.p_WB - i.p_WB - i.v_WB * t - gravity * (t * t / Scalar(2)));
+  const Eigen::Vector3<Scalar> dv = R_i_transposed * (j.v_WB - i.v_WB - gravity * t);
+  const Eigen::Vector3<Scalar> dp = R_i_transposed * (j.p_WB - i.p_WB - i.v_WB * t - gravity * (t * t / Scalar(2)));
   result.state_i.template block<3, 3>(3, 0) = detail::hat<Scalar>(dv);
   result.state_i.template block<3, 3>(3, 3) = -R_i_transposed;
   result.state_i.template block<3, 3>(6, 0) = detail::hat<Scalar>(dp);

@@ -19,7 +19,8 @@ namespace detail {
 /// State j without the effect of the world's rotation since state i.
 template <typename Scalar, TimePoint Time>
 [[nodiscard]] NavState<Scalar, Time> without_rotation(const NavState<Scalar, Time>& j, const NavState<Scalar, Time>& i,
-                                                      const NavIncrement<Scalar>& delta, const Vector3<Scalar>& gravity,
+                                                      const NavIncrement<Scalar>& delta,
+                                                      const Eigen::Vector3<Scalar>& gravity,
                                                       const RotatingFrame<Scalar>& frame) {
   const NavState<Scalar, Time> turning = frame.advance(i, delta, gravity, j.time);
   const NavState<Scalar, Time> inertial = InertialFrame{}.advance(i, delta, gravity, j.time);
@@ -32,7 +33,7 @@ template <typename Scalar, TimePoint Time>
 template <typename Scalar, typename Covariance, TimePoint Time>
 [[nodiscard]] detail::PreintegrationResidual<Scalar> preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
-    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Eigen::Vector3<Scalar>& gravity,
     const RotatingFrame<Scalar>& frame) {
   return preintegration_residual(imu, i, bias_i, detail::without_rotation(j, i, imu.corrected(bias_i), gravity, frame),
                                  bias_j, gravity);
@@ -41,7 +42,7 @@ template <typename Scalar, typename Covariance, TimePoint Time>
 template <typename Scalar, typename Covariance, TimePoint Time>
 [[nodiscard]] detail::LinearizedPreintegrationResidual<Scalar> linearize_preintegration_residual(
     const PreintegratedImu<Scalar, Covariance>& imu, const NavState<Scalar, Time>& i, const ImuBias<Scalar>& bias_i,
-    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Vector3<Scalar>& gravity,
+    const NavState<Scalar, Time>& j, const ImuBias<Scalar>& bias_j, const Eigen::Vector3<Scalar>& gravity,
     const RotatingFrame<Scalar>& frame) {
   const detail::NavIncrement<Scalar> delta = imu.corrected(bias_i);
   auto result = linearize_preintegration_residual(imu, i, bias_i, detail::without_rotation(j, i, delta, gravity, frame),
@@ -49,15 +50,15 @@ template <typename Scalar, typename Covariance, TimePoint Time>
   // With u = R_i Δv and w = R_i Δp: c_p = −h Ω × (h v_i + w + …), c_v = −Ω × (h u − w + 2 (h v_i + w + c_p + …)).
   // The residual changes by −R_iᵀ times the change of c_p and c_v.
   const Scalar h = delta.interval;
-  const Matrix3<Scalar> R = i.R_WB.unit_quaternion().toRotationMatrix();
-  const Matrix3<Scalar> turn = detail::hat<Scalar>(frame.rate), identity = Matrix3<Scalar>::Identity();
-  const Matrix3<Scalar> p_w = -h * turn, p_v = h * p_w;
-  const Matrix3<Scalar> v_u = -h * turn, v_w = -turn * (identity + Scalar(2) * p_w),
-                        v_v = -Scalar(2) * turn * (h * identity + p_v);
-  const Matrix3<Scalar> u_phi = -R * detail::hat<Scalar>(delta.velocity),
-                        w_phi = -R * detail::hat<Scalar>(delta.position);
+  const Eigen::Matrix3<Scalar> R = i.R_WB.unit_quaternion().toRotationMatrix();
+  const Eigen::Matrix3<Scalar> turn = detail::hat<Scalar>(frame.rate), identity = Eigen::Matrix3<Scalar>::Identity();
+  const Eigen::Matrix3<Scalar> p_w = -h * turn, p_v = h * p_w;
+  const Eigen::Matrix3<Scalar> v_u = -h * turn, v_w = -turn * (identity + Scalar(2) * p_w),
+                               v_v = -Scalar(2) * turn * (h * identity + p_v);
+  const Eigen::Matrix3<Scalar> u_phi = -R * detail::hat<Scalar>(delta.velocity),
+                               w_phi = -R * detail::hat<Scalar>(delta.position);
   const detail::BiasJacobians<Scalar>& J = imu.jacobians();
-  const Matrix3<Scalar> back = -R.transpose();
+  const Eigen::Matrix3<Scalar> back = -R.transpose();
   result.state_i.template block<3, 3>(3, 0) += back * (v_u * u_phi + v_w * w_phi);
   result.state_i.template block<3, 3>(3, 3) += back * v_v;
   result.state_i.template block<3, 3>(6, 0) += back * (p_w * w_phi);

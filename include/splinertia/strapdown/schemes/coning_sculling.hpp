@@ -39,7 +39,7 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
     const StepMean<Scalar>& last = window[2];
     const bool full = window[0].interval > Scalar(0);
     if (from == 2 && !full) {
-      return {last.phi, last.nu, Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), last.interval};
+      return {last.phi, last.nu, Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero(), last.interval};
     }
     const std::array<Scalar, 3> h{window[0].interval, window[1].interval, last.interval};
     const Scalar step = from == 2 ? h[2] : h[from] + h[from + 1];
@@ -56,20 +56,20 @@ struct TwoSampleIncrements : IncrementScheme<3, 2> {
     const bool curved = full && !straight && sloped && alike(0, 1) && alike(0, 2) && alike(1, 2);
     // The moment is step² A'/12 with the slope A' at the middle of the step. In divided differences of F = ∫A,
     // A' = 2 F[0, 1, 2] + 2 offset F[0, 1, 2, 3].
-    const auto moment = [&](auto of) -> Vector3<Scalar> {
+    const auto moment = [&](auto of) -> Eigen::Vector3<Scalar> {
       if (!sloped) [[unlikely]] {
-        if (from == 2) return Vector3<Scalar>::Zero();
+        if (from == 2) return Eigen::Vector3<Scalar>::Zero();
         return (window[from + 1].*of * h[from] - window[from].*of * h[from + 1]) / (step + step);
       }
-      const auto difference = [&](std::size_t i) -> Vector3<Scalar> {
+      const auto difference = [&](std::size_t i) -> Eigen::Vector3<Scalar> {
         const Scalar scale = Scalar(1) / (h[i] + h[i + 1]);
         return window[i + 1].*of * Scalar(scale / h[i + 1]) - window[i].*of * Scalar(scale / h[i]);
       };
-      Vector3<Scalar> slope = difference(pair);
+      Eigen::Vector3<Scalar> slope = difference(pair);
       if (curved) slope += (difference(1) - difference(0)) * (offset / (h[0] + h[1] + h[2]));
       return slope * (step * step / Scalar(6));
     };
-    const auto sum = [&](auto of) -> Vector3<Scalar> {
+    const auto sum = [&](auto of) -> Eigen::Vector3<Scalar> {
       return from == 2 ? last.*of : window[from].*of + window[from + 1].*of;
     };
     constexpr auto phi = &StepMean<Scalar>::phi, nu = &StepMean<Scalar>::nu;
@@ -90,7 +90,7 @@ struct ThreeSampleIncrements : IncrementScheme<3> {
   [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     if (from > 0) return detail::increment_from(TwoSampleIncrements::moments<Scalar>(window, from));
     const auto as_vector = [](const StepMean<Scalar>& step) -> detail::GalileanVector<Scalar> {
-      return {step.phi, step.nu, Vector3<Scalar>::Zero(), step.interval};
+      return {step.phi, step.nu, Eigen::Vector3<Scalar>::Zero(), step.interval};
     };
     const auto first = as_vector(window[0]), second = as_vector(window[1]), third = as_vector(window[2]);
     return detail::galilean_exp(first + second + third + detail::bracket(first, third) * (Scalar(9) / Scalar(20)) +

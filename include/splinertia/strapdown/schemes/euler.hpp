@@ -14,7 +14,7 @@ struct Euler : PointScheme<2> {
   [[nodiscard]] static detail::NavIncrement<Scalar> increment(const Window& window, std::size_t from) {
     const auto& sample = window[from];
     const Scalar h = step_interval<Scalar>(window, from);
-    const Vector3<Scalar> velocity = sample.accel * h;
+    const Eigen::Vector3<Scalar> velocity = sample.accel * h;
     return {detail::rotation_exp<Scalar>(sample.gyro * h), velocity, velocity * (h / Scalar(2)), h};
   }
 
@@ -25,9 +25,9 @@ struct Euler : PointScheme<2> {
     const Scalar h = result.value.interval;
     result.R_w = h * detail::rotation_left_jacobian<Scalar>(window[from].gyro * -h);
     result.v_w.setZero();
-    result.v_f = h * Matrix3<Scalar>::Identity();
+    result.v_f = h * Eigen::Matrix3<Scalar>::Identity();
     result.p_w.setZero();
-    result.p_f = (h * h / Scalar(2)) * Matrix3<Scalar>::Identity();
+    result.p_f = (h * h / Scalar(2)) * Eigen::Matrix3<Scalar>::Identity();
     return result;
   }
 };

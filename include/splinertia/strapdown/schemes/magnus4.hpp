@@ -95,8 +95,8 @@ struct Magnus4 : PointScheme<4, 1, 1> {
   [[nodiscard]] SPLINERTIA_COLD static detail::StepMoments<Scalar> moments_anywhere(Window window, std::size_t from,
                                                                                     Scalar h) {
     const Weights<Scalar> w = weights<Scalar>(window, from, h);
-    detail::StepMoments<Scalar> m{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(),
-                                  Vector3<Scalar>::Zero(), h};
+    detail::StepMoments<Scalar> m{Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero(),
+                                  Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero(), h};
     for (std::size_t j = 0; j < 4; ++j) {
       m.phi += w.mean[j] * window[j].gyro;
       m.nu += w.mean[j] * window[j].accel;

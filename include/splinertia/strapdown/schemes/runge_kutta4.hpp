@@ -15,24 +15,26 @@ namespace detail {
 /// beginning, middle and end. The attitude is integrated in the Lie algebra, φ' = J_r⁻¹(φ) ω (Munthe-Kaas), with
 /// J_r⁻¹ ≈ I + φ^/2 + φ^²/12, whose next term contributes at fifth order. The exponential of φ is exact.
 template <typename Scalar>
-[[nodiscard]] NavIncrement<Scalar> runge_kutta4_step(const std::array<Vector3<Scalar>, 3>& gyro,
-                                                     const std::array<Vector3<Scalar>, 3>& accel, const Scalar& h) {
-  const auto rate = [](const Vector3<Scalar>& phi, const Vector3<Scalar>& omega) -> Vector3<Scalar> {
-    const Vector3<Scalar> once = phi.cross(omega);
+[[nodiscard]] NavIncrement<Scalar> runge_kutta4_step(const std::array<Eigen::Vector3<Scalar>, 3>& gyro,
+                                                     const std::array<Eigen::Vector3<Scalar>, 3>& accel,
+                                                     const Scalar& h) {
+  const auto rate = [](const Eigen::Vector3<Scalar>& phi,
+                       const Eigen::Vector3<Scalar>& omega) -> Eigen::Vector3<Scalar> {
+    const Eigen::Vector3<Scalar> once = phi.cross(omega);
     return omega + once / Scalar(2) + phi.cross(once) / Scalar(12);
   };
   const Scalar half = h / Scalar(2), sixth = h / Scalar(6);
-  const Vector3<Scalar> k1 = gyro[0];
-  const Vector3<Scalar> k2 = rate(k1 * half, gyro[1]);
-  const Vector3<Scalar> phi2 = k2 * half;
-  const Vector3<Scalar> k3 = rate(phi2, gyro[1]);
-  const Vector3<Scalar> phi3 = k3 * h;
-  const Vector3<Scalar> k4 = rate(phi3, gyro[2]);
+  const Eigen::Vector3<Scalar> k1 = gyro[0];
+  const Eigen::Vector3<Scalar> k2 = rate(k1 * half, gyro[1]);
+  const Eigen::Vector3<Scalar> phi2 = k2 * half;
+  const Eigen::Vector3<Scalar> k3 = rate(phi2, gyro[1]);
+  const Eigen::Vector3<Scalar> phi3 = k3 * h;
+  const Eigen::Vector3<Scalar> k4 = rate(phi3, gyro[2]);
   const auto rotation = rotation_exp<Scalar>((k1 + (k2 + k3) * Scalar(2) + k4) * sixth);
   // Accelerations at the stages; velocity and position are quadratures of them.
-  const Vector3<Scalar> a2 = rotate<Scalar>(rotation_exp<Scalar>(k1 * half), accel[1]);
-  const Vector3<Scalar> a3 = rotate<Scalar>(rotation_exp<Scalar>(phi2), accel[1]);
-  const Vector3<Scalar> a4 = rotate<Scalar>(rotation_exp<Scalar>(phi3), accel[2]);
+  const Eigen::Vector3<Scalar> a2 = rotate<Scalar>(rotation_exp<Scalar>(k1 * half), accel[1]);
+  const Eigen::Vector3<Scalar> a3 = rotate<Scalar>(rotation_exp<Scalar>(phi2), accel[1]);
+  const Eigen::Vector3<Scalar> a4 = rotate<Scalar>(rotation_exp<Scalar>(phi3), accel[2]);
   return {rotation, (accel[0] + (a2 + a3) * Scalar(2) + a4) * sixth, (accel[0] + a2 + a3) * (sixth * h), h};
 }
 
@@ -79,9 +81,9 @@ struct RungeKutta4DoubleStep : PointScheme<4, 2> {
     const auto s = detail::centred(detail::times_from<Scalar>(window, from), from, h);
     const auto w =
         detail::stable_weights(s, detail::Nodes<2>{line}, detail::Nodes<3>{end - 2}, middle, Scalar(5) / Scalar(2))[0];
-    const Vector3<Scalar> gyro =
+    const Eigen::Vector3<Scalar> gyro =
         w[0] * window[0].gyro + w[1] * window[1].gyro + w[2] * window[2].gyro + w[3] * window[3].gyro;
-    const Vector3<Scalar> accel =
+    const Eigen::Vector3<Scalar> accel =
         w[0] * window[0].accel + w[1] * window[1].accel + w[2] * window[2].accel + w[3] * window[3].accel;
     return detail::runge_kutta4_step<Scalar>({window[from].gyro, gyro, window[end].gyro},
                                              {window[from].accel, accel, window[end].accel}, h);

@@ -46,7 +46,7 @@ template <typename Scalar, typename Window>
 /// in the turning axes of the body; `interval` is the length h, s. An increment of an IMU is of this form.
 template <typename Scalar>
 struct StepMean {
-  Vector3<Scalar> phi, nu;
+  Eigen::Vector3<Scalar> phi, nu;
   Scalar interval;
 };
 
@@ -55,8 +55,8 @@ namespace detail {
 /// The same with first moments: φ₁ = ∫sω dt/h, ν₁ = ∫sf dt/h, where s is the time from the middle of the step.
 template <typename Scalar>
 struct StepMoments {
-  Vector3<Scalar> phi, nu;
-  Vector3<Scalar> phi_moment, nu_moment;
+  Eigen::Vector3<Scalar> phi, nu;
+  Eigen::Vector3<Scalar> phi_moment, nu_moment;
   Scalar interval;
 };
 

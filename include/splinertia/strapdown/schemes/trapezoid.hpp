@@ -17,7 +17,7 @@ struct Trapezoid : PointScheme<2> {
     const Scalar h = step_interval<Scalar>(window, from);
     const Scalar half = h / Scalar(2);
     const auto rotation = detail::rotation_exp<Scalar>((first.gyro + second.gyro) * half);
-    const Vector3<Scalar> velocity = (first.accel + detail::rotate<Scalar>(rotation, second.accel)) * half;
+    const Eigen::Vector3<Scalar> velocity = (first.accel + detail::rotate<Scalar>(rotation, second.accel)) * half;
     return {rotation, velocity, velocity * half, h};
   }
 
@@ -26,11 +26,11 @@ struct Trapezoid : PointScheme<2> {
     detail::LinearizedIncrement<Scalar> result;
     result.value = increment<Scalar>(window, from);
     const Scalar h = result.value.interval, half = h / Scalar(2);
-    const Vector3<Scalar> phi = (window[from].gyro + window[from + 1].gyro) * half;
-    const Matrix3<Scalar> R = result.value.rotation.toRotationMatrix();
+    const Eigen::Vector3<Scalar> phi = (window[from].gyro + window[from + 1].gyro) * half;
+    const Eigen::Matrix3<Scalar> R = result.value.rotation.toRotationMatrix();
     result.R_w = h * detail::rotation_left_jacobian<Scalar>(-phi);
     result.v_w = -half * R * detail::hat<Scalar>(window[from + 1].accel) * result.R_w;
-    result.v_f = half * (Matrix3<Scalar>::Identity() + R);
+    result.v_f = half * (Eigen::Matrix3<Scalar>::Identity() + R);
     result.p_w = half * result.v_w;
     result.p_f = half * result.v_f;
     return result;
