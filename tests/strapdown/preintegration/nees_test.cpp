@@ -9,13 +9,13 @@
 // accelerometer is so much better than its gyroscope; after 0.15 s 0.002.
 #include <Eigen/Cholesky>
 #include <array>
+#include <splinertia/imu/imu_noise.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/ellipse.hpp>
 #include <splinertia/strapdown/integrate.hpp>
 #include <splinertia/strapdown/preintegration/preintegration_residual.hpp>
 #include <string>
-#include <tuple>
 
 #include "strapdown/preintegration/preintegration_runs.hpp"
 #include "support/catch.hpp"
