@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/rate_ramp.hpp>
-#include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/describe.hpp>
+#include <splinertia/errors/error_model.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <type_traits>

@@ -123,8 +123,7 @@ TEMPLATE_TEST_CASE("One step keeps the variance, from the shortest to the longes
 TEMPLATE_TEST_CASE("A correlation time far above or below the interval is right, too", "", float, double) {
   using Scalar = TestType;
   // h/τ = 1e9: white noise. h/τ = 1e-9: it stays where it was but for steps of deviation √2e-9 σ.
-  const ErrorModel model{
-      GaussMarkov(Scalar(3), PerAxis<Scalar>(Scalar(0.005e-9), Scalar(0.005e9), Scalar(0.005)))};
+  const ErrorModel model{GaussMarkov(Scalar(3), PerAxis<Scalar>(Scalar(0.005e-9), Scalar(0.005e9), Scalar(0.005)))};
   const Intervals intervals = regular(200);
   const Record errors = record<Scalar>(model, intervals, 12);
   const auto C = [](std::size_t l) { return l == 0 ? 9.0 : 0.0; };

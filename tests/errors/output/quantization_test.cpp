@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/quantization.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/second_order_bandwidth.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <type_traits>

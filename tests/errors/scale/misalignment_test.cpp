@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <concepts>
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/bias/constant_bias.hpp>
+#include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/scale/scale_factor.hpp>
-#include <splinertia/errors/describe.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"

@@ -58,7 +58,7 @@ struct GaussMarkov {
       : standard_deviation(standard_deviation_), correlation_time(correlation_time_), initial(initial_) {
     require_non_negative("GaussMarkov", "standard deviation", standard_deviation);
     require_positive("GaussMarkov", "correlation time", correlation_time);
-    if (initial) require_finite("GaussMarkov", "initial value", *initial);
+    if (initial_) require_finite("GaussMarkov", "initial value", *initial_);
   }
 
   template <int Axes>
