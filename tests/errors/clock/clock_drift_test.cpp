@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <splinertia/errors/clock/clock_drift.hpp>
-#include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/describe.hpp>
+#include <splinertia/errors/error_model.hpp>
 #include <type_traits>
 
 #include "errors/one_term.hpp"

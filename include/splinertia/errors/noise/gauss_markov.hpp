@@ -63,7 +63,7 @@ struct GaussMarkov {
       : standard_deviation(standard_deviation_), correlation_time(correlation_time_), initial(initial_) {
     detail::require_non_negative("GaussMarkov", "standard deviation", standard_deviation);
     detail::require_positive("GaussMarkov", "correlation time", correlation_time);
-    if (initial) detail::require_finite("GaussMarkov", "initial value", *initial);
+    if (initial_) detail::require_finite("GaussMarkov", "initial value", *initial_);
   }
 
   template <int Axes>
