@@ -3,7 +3,7 @@
 """The overlapping Allan deviation by the Python package allantools, beside the benchmark program allan_analysis.
 
     allan_allantools.py PROGRAM [SAMPLES [REPETITIONS]]           # 10000000 and 5; prints name,value,unit
-    allan_allantools.py --text ALLAN [SAMPLES [REPETITIONS]]      # the example program allan, from a text file
+    allan_allantools.py --text ALLAN [SAMPLES [REPETITIONS]]      # the program allan, from a text file
 
 Both take the same log and averaging times, one after the other, so that what else the machine does meets both. What is
 timed is from the log in memory to the deviations; with --text from a file of one number of 17 digits a line, which allantools has

@@ -24,7 +24,7 @@ struct ScriptFailed : AlreadyReported {
 /// A script that runs beside this program. It is started without a shell, so no character of an argument is special.
 class PythonScript {
  public:
-  /// Starts examples/support/NAME.py, which the build puts beside the executable. Throws std::runtime_error if Python
+  /// Starts tools/support/NAME.py, which the build puts beside the executable. Throws std::runtime_error if Python
   /// cannot be run. Standard error is shared; standard output is read from output(), or goes where ours goes.
   enum class Output { piped, shared };
   PythonScript(const std::string& python, const std::string& name, const std::vector<std::string>& arguments,

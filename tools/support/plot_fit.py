@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws what the example program fit_trajectory computed: FOLDER/fit.png and FOLDER/fit.svg.
+"""Draws what the program fit_trajectory computed: FOLDER/fit.png and FOLDER/fit.svg.
 
     fit_trajectory poses.tum --imu imu.csv --output FOLDER
     plot_fit.py FOLDER               # reads its files; needs matplotlib

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/any_error_model.hpp"
+#include "../../tools/support/any_error_model.hpp"
 
 #include <splinertia/splinertia.hpp>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/any_trajectory.hpp"
+#include "../../tools/support/any_trajectory.hpp"
 
 #include <splinertia/splinertia.hpp>
 #include <vector>

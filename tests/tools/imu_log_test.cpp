@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/imu_log.hpp"
+#include "../../tools/support/imu_log.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/yaml_text.hpp"
+#include "../../tools/support/yaml_text.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads the csv files of the example program allan."""
+"""Reads the csv files of the program allan."""
 import csv
 import dataclasses
 import math

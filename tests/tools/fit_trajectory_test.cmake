@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY "${out}")
 include("${CMAKE_CURRENT_LIST_DIR}/run.cmake")
 
 cmake_path(GET PROGRAM PARENT_PATH programs)
-# other(<program> <options...>): another program of the examples; what it prints is left in <other_printed>.
+# other(<program> <options...>): another program; what it prints is left in <other_printed>.
 function(other program)
   execute_process(COMMAND "${programs}/${program}" ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   if(NOT result EQUAL 0)

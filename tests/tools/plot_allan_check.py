@@ -1,4 +1,4 @@
-"""Draws folders as allan writes them with examples/support/plot_allan.py, looks at the text and lines of the SVG, and at
+"""Draws folders as allan writes them with tools/support/plot_allan.py, looks at the text and lines of the SVG, and at
 what the script says to bad files.
 
     plot_allan_check.py WORK_DIR
@@ -19,7 +19,7 @@ except ImportError:
     print("skipped: the Python package matplotlib is not installed (pip install matplotlib)")
     sys.exit(77)
 
-support = pathlib.Path(__file__).resolve().parents[2] / "examples/support"
+support = pathlib.Path(__file__).resolve().parents[2] / "tools/support"
 sys.path.insert(0, str(support))
 sys.dont_write_bytecode = True
 import plot_allan

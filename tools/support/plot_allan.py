@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws what the example program allan computed: FOLDER/allan.png and FOLDER/allan.svg.
+"""Draws what the program allan computed: FOLDER/allan.png and FOLDER/allan.svg.
 
     allan imu.csv --output FOLDER
     plot_allan.py FOLDER             # reads its csv files; needs matplotlib

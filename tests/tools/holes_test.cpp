@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/holes.hpp"
+#include "../../tools/support/holes.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/pose_distances.hpp"
+#include "../../tools/support/pose_distances.hpp"
 
 #include <splinertia/splinertia.hpp>
 

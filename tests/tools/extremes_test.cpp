@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/extremes.hpp"
+#include "../../tools/support/extremes.hpp"
 
 #include <cmath>
 #include <splinertia/splinertia.hpp>

@@ -29,7 +29,7 @@ HEADER = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad
 # The bytes of a sensor_msgs/Imu are the same in ROS 1 and in ROS 2 (CDR) except for the first 4 bytes, which are a
 # counter (ROS 1) or the encoding (CDR), and for the frame's name, which CDR ends with a zero and pads, so that the
 # numbers begin at a multiple of 8. The functions of rosbags, which handle any message, would halve the speed of the
-# whole script. tests/examples/imu_bag_check.py compares the results with them.
+# whole script. tests/tools/imu_bag_check.py compares the results with them.
 CDR_LITTLE_ENDIAN = 0x100
 NO_ORIENTATION = struct.pack("<13d", 0, 0, 0, 1, -1, *[0] * 8)  # quaternion, and its covariance: -1 is "not measured"
 

@@ -1,4 +1,4 @@
-"""Writes bags with examples/support/imu_bag.py, reads them back with it, with rosbags' own deserialiser, and a ROS 1 bag
+"""Writes bags with tools/support/imu_bag.py, reads them back with it, with rosbags' own deserialiser, and a ROS 1 bag
 also with ROS' own module rosbag if /usr/bin/python3 has it; and looks at what it says to bad input.
 
     imu_bag_check.py WORK_DIR [IMU_BAG]
@@ -24,7 +24,7 @@ except ImportError as error:
 
 work = pathlib.Path(sys.argv[1])
 root = pathlib.Path(__file__).resolve().parents[2]
-program = sys.argv[2] if len(sys.argv) > 2 else root / "examples/support/imu_bag.py"
+program = sys.argv[2] if len(sys.argv) > 2 else root / "tools/support/imu_bag.py"
 imu = "sensor_msgs/msg/Imu"
 header = ("#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"
           "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n")

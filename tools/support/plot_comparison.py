@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws what the example program compare_trajectories found: both paths, and the errors over time.
+"""Draws what the program compare_trajectories found: both paths, and the errors over time.
 
     compare_trajectories reference.tum estimate.tum --align se3 --errors errors.csv
     plot_comparison.py errors.csv errors.png     # .png or .svg; needs matplotlib

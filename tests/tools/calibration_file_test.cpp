@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/calibration_file.hpp"
+#include "../../tools/support/calibration_file.hpp"
 
 #include <cmath>
 #include <limits>

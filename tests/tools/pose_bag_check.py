@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes bags with pose topics by rosbags' own serialiser, reads them with examples/support/pose_bag.py and, where it is
+"""Writes bags with pose topics by rosbags' own serialiser, reads them with tools/support/pose_bag.py and, where it is
 given, with the program simulate_imu; and looks at what both say to bad input.
 
     pose_bag_check.py WORK_DIR [SIMULATE_IMU]
@@ -23,7 +23,7 @@ except ImportError as error:
     sys.exit(77)
 
 work = pathlib.Path(sys.argv[1])
-script = pathlib.Path(__file__).resolve().parents[2] / "examples/support/pose_bag.py"
+script = pathlib.Path(__file__).resolve().parents[2] / "tools/support/pose_bag.py"
 simulate_imu = sys.argv[2] if len(sys.argv) > 2 else None
 shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)

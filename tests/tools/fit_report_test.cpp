@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/fit_report.hpp"
+#include "../../tools/support/fit_report.hpp"
 
 #include <limits>
 #include <splinertia/splinertia.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../../examples/support/imu_noise.hpp"
+#include "../../tools/support/imu_noise.hpp"
 
 #include <sstream>
 #include <stdexcept>
