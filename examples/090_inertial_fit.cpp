@@ -48,3 +48,6 @@ int main() {
 }
 
 // prints
+// gyro bias y  -0.01999 rad/s +- 0.00002
+// lever arm x    0.0994 m +- 0.0015
+// time offset     13.02 ms +- 0.02

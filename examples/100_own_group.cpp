@@ -49,3 +49,5 @@ int main() {
 }
 
 // prints
+// scale 1.1388, angle 0.5200 rad, at (1.1444, 1.0227)
+// velocity 1.0000 0.5000 0.1000 0.4000

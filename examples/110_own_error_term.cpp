@@ -49,3 +49,11 @@ int main() {
 }
 
 // prints
+// gyro:
+//   burst noise: height 0.002 rad/s, rate 0.5 1/s
+//   white noise: density 0.0001 rad/s/sqrt(Hz)
+// accel:
+//   ideal
+// stamps:
+//   ideal
+// 38 jumps in 60 s

@@ -48,3 +48,5 @@ int main() {
 }
 
 // prints
+// specific force along the rope: 8.606 to 11.807 m/s^2
+// expected:                      8.606 to 11.807 m/s^2

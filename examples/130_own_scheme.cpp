@@ -31,3 +31,7 @@ int main() {
 }
 
 // prints
+// rate [Hz]  error after 20 s [m]
+//       100  1.948
+//       200  0.974
+//       400  0.487

@@ -35,3 +35,5 @@ int main() {
 }
 
 // prints
+// 400 runs of 30 s: 0.190 m rms of an axis
+// N sqrt(t^3/3):     0.190 m

@@ -11,7 +11,6 @@
 #include <map>
 #include <optional>
 #include <splinertia/allan/curve.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <stdexcept>
@@ -23,6 +22,7 @@
 #include "support/allan_analysis.hpp"
 #include "support/allan_files.hpp"
 #include "support/allan_report.hpp"
+#include "support/concat.hpp"
 #include "support/imu_log.hpp"
 #include "support/imu_noise.hpp"
 #include "support/output_folder.hpp"
@@ -66,7 +66,7 @@ allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
 allan::Interval<double> band_of(const std::string& text) {
   const std::size_t dash = text.find('-', 1);
   const auto refuse = [&] {
-    return std::invalid_argument(message("--exclude: ", excerpt(text), ", expected a band LO-HI in Hz, such as 49-51"));
+    return std::invalid_argument(concat("--exclude: ", excerpt(text), ", expected a band LO-HI in Hz, such as 49-51"));
   };
   if (dash == std::string::npos) throw refuse();
   const auto lower = parse_real(std::string_view(text).substr(0, dash)),
@@ -126,7 +126,7 @@ allan::AveragingFactors factors_of(const std::string& text) {
     const Parsed<std::int64_t> factor = parse_integer(word);
     if (factor.problem) {
       throw std::invalid_argument(
-          message("--factors: ", excerpt(word), ' ', factor.problem, ", expected all, octave, decade, log or 1,2,5"));
+          concat("--factors: ", excerpt(word), ' ', factor.problem, ", expected all, octave, decade, log or 1,2,5"));
     }
     factors.push_back(factor.value);
   }
@@ -159,7 +159,7 @@ void print_deviation(const DeviationOptions& o) {
       const Signal signal = o.phase_data ? Signal::from_integral(numbers, o.rate) : Signal(numbers, o.rate);
       return deviations.at(o.type)(signal, settings);
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message(o.file.string(), ": ", error.what()));
+      throw std::runtime_error(concat(o.file.string(), ": ", error.what()));
     }
   };
   const Curve curve = curve_of();

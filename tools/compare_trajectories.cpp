@@ -5,8 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/file_set.hpp>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +12,7 @@
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
+#include "support/concat.hpp"
 #include "support/inputs.hpp"
 #include "support/program.hpp"
 #include "support/python_script.hpp"
@@ -115,29 +114,29 @@ void add_options(CLI::App& app, Options& o) {
 
 void check(const Options& o) {
   if (o.unit == "frames" && !(o.delta >= 1 && o.delta <= 1e9 && o.delta == std::floor(o.delta))) {
-    throw std::invalid_argument(message("--delta: ", o.delta, ", expected a whole number of frames >= 1"));
+    throw std::invalid_argument(concat("--delta: ", o.delta, ", expected a whole number of frames >= 1"));
   }
-  if (!(o.delta > 0) || !is_finite(o.delta)) {
-    throw std::invalid_argument(message("--delta: ", o.delta, ' ', o.unit, ", expected a number > 0"));
+  if (!(o.delta > 0) || !std::isfinite(o.delta)) {
+    throw std::invalid_argument(concat("--delta: ", o.delta, ' ', o.unit, ", expected a number > 0"));
   }
   if (!(std::abs(o.time_offset) <= 1e9)) {
-    throw std::invalid_argument(message("--time-offset: ", o.time_offset, ", expected -1e9 to 1e9 seconds"));
+    throw std::invalid_argument(concat("--time-offset: ", o.time_offset, ", expected -1e9 to 1e9 seconds"));
   }
   if (!(o.time_offset_range > 0 && o.time_offset_range <= 1000)) {
     throw std::invalid_argument(
-        message("--time-offset-range: ", o.time_offset_range, ", expected a number of seconds > 0, up to 1000"));
+        concat("--time-offset-range: ", o.time_offset_range, ", expected a number of seconds > 0, up to 1000"));
   }
   if (o.align_poses && (o.align == "none" || o.align == "origin")) {
     throw std::invalid_argument(
-        message("--align-poses: --align ", o.align, " does not use it, expected yaw, se3 or sim3"));
+        concat("--align-poses: --align ", o.align, " does not use it, expected yaw, se3 or sim3"));
   }
   for (const double length : o.lengths) {
-    if (!(length > 0) || !is_finite(length)) {
-      throw std::invalid_argument(message("--lengths: ", length, ", expected numbers of metres > 0"));
+    if (!(length > 0) || !std::isfinite(length)) {
+      throw std::invalid_argument(concat("--lengths: ", length, ", expected numbers of metres > 0"));
     }
   }
   if (!o.plot.empty() && o.plot.extension() != ".png" && o.plot.extension() != ".svg") {
-    throw std::invalid_argument(message("--plot: ", o.plot.string(), ", expected a name that ends in .png or .svg"));
+    throw std::invalid_argument(concat("--plot: ", o.plot.string(), ", expected a name that ends in .png or .svg"));
   }
 }
 

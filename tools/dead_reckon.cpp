@@ -21,6 +21,7 @@
 #include "dead_reckon/options.hpp"
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
+#include "support/concat.hpp"
 #include "support/inputs.hpp"
 #include "support/program.hpp"
 #include "support/trajectory_input.hpp"
@@ -66,9 +67,9 @@ void reckon_window(const Inputs& in, std::size_t first, std::size_t last, const 
     }
     integrator.finish();
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(message(o.imu.string(), ": in the window of ", row.window, " s that begins at ",
-                                     samples[first].time.count(), ": ", error.what(),
-                                     " (--longest-gap, --bridge-gaps; simulate_imu leaves out samples inside holes)"));
+    throw std::runtime_error(concat(o.imu.string(), ": in the window of ", row.window, " s that begins at ",
+                                    samples[first].time.count(), ": ", error.what(),
+                                    " (--longest-gap, --bridge-gaps; simulate_imu leaves out samples inside holes)"));
   }
   const State& reckoned = integrator.state();
   row.gaps += integrator.gaps();
@@ -110,11 +111,11 @@ Row reckon(const Inputs& in, double window, const Options& o) {
     first = last;
   }
   if (row.position.empty()) {
-    const auto span = [](nanoseconds from, nanoseconds to) { return message(from.count(), " to ", to.count(), " ns"); };
-    throw std::runtime_error(message("no window of ", window, " s in which both files have data: ", o.imu.string(),
-                                     " covers ", span(samples.front().time, samples.back().time), ", ",
-                                     o.trajectory.file.string(), " covers ",
-                                     span(in.truth.rows.front().state.time, in.truth.rows.back().state.time)));
+    const auto span = [](nanoseconds from, nanoseconds to) { return concat(from.count(), " to ", to.count(), " ns"); };
+    throw std::runtime_error(concat("no window of ", window, " s in which both files have data: ", o.imu.string(),
+                                    " covers ", span(samples.front().time, samples.back().time), ", ",
+                                    o.trajectory.file.string(), " covers ",
+                                    span(in.truth.rows.front().state.time, in.truth.rows.back().state.time)));
   }
   return row;
 }
@@ -145,7 +146,7 @@ void write_table(const std::filesystem::path& path, const std::vector<Row>& rows
       "window_s,runs,skipped,gaps,position_median_m,position_90_m,position_max_m,attitude_median_deg,attitude_90_deg,"
       "attitude_max_deg\n");
   for (const Row& row : rows) {
-    file.append(message(row.window, ',', row.position.size(), ',', row.skipped, ',', row.gaps));
+    file.append(concat(row.window, ',', row.position.size(), ',', row.skipped, ',', row.gaps));
     for (const double figure : figures(row)) {
       file.append(',');
       file.append_real(figure);
@@ -201,18 +202,18 @@ void run(const Options& o) {
 void check(const Options& o) {
   for (const double window : o.windows) {
     if (!(window > 0 && window <= 1e6)) {
-      throw std::invalid_argument(message("--windows: ", window, ", expected positive numbers of seconds, up to 1e6"));
+      throw std::invalid_argument(concat("--windows: ", window, ", expected positive numbers of seconds, up to 1e6"));
     }
   }
   if (!(o.longest_gap > 0)) {
-    throw std::invalid_argument(message("--longest-gap: ", o.longest_gap, ", expected a positive number of seconds"));
+    throw std::invalid_argument(concat("--longest-gap: ", o.longest_gap, ", expected a positive number of seconds"));
   }
   const std::pair<const std::optional<Eigen::Vector3d>&, const char*> vectors[] = {
       {o.gyro_bias, "--gyro-bias"}, {o.accel_bias, "--accel-bias"}, {o.lever_arm, "--lever-arm"}};
   for (const auto& [vector, name] : vectors) {
     if (vector && !vector->allFinite()) {
       throw std::invalid_argument(
-          message(name, ": ", vector->x(), ' ', vector->y(), ' ', vector->z(), ", expected finite numbers"));
+          concat(name, ": ", vector->x(), ' ', vector->y(), ' ', vector->z(), ", expected finite numbers"));
     }
   }
 }

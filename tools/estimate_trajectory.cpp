@@ -16,6 +16,7 @@
 #include <splinertia/splinertia.hpp>
 #include <vector>
 
+#include "support/concat.hpp"
 #include "support/program.hpp"
 #include "support/whole_number_option.hpp"
 
@@ -234,7 +235,7 @@ void run(const Options& o) {
     AtomicFile file(o.csv);
     file.append("quantity,unit,initial,final\n");
     for (const Row& row : rows) {
-      file.append(message(row.quantity, ',', row.unit, ','));
+      file.append(concat(row.quantity, ',', row.unit, ','));
       file.append_real(before.*row.error);
       file.append(',');
       file.append_real(after.*row.error);
@@ -267,7 +268,7 @@ void add_options(CLI::App& app, Options& o) {
 void check(const Options& o) {
   const auto require = [](const char* name, double value, double most) {
     if (!(value > 0 && value <= most)) {
-      throw std::invalid_argument(message(name, ": ", value, ", expected a positive number up to ", most));
+      throw std::invalid_argument(concat(name, ": ", value, ", expected a positive number up to ", most));
     }
   };
   require("--duration", o.duration, 1e4);
@@ -279,11 +280,11 @@ void check(const Options& o) {
   require("--gyro-noise", o.gyro_noise, 1e3);
   require("--accel-noise", o.accel_noise, 1e3);
   if (!(std::abs(o.gravity_tilt) <= 180)) {
-    throw std::invalid_argument(message("--gravity-tilt: ", o.gravity_tilt, ", expected -180 to 180 degrees"));
+    throw std::invalid_argument(concat("--gravity-tilt: ", o.gravity_tilt, ", expected -180 to 180 degrees"));
   }
   if (!(o.duration * o.pose_rate >= 1)) {
     throw std::invalid_argument(
-        message("--pose-rate: ", o.pose_rate, " Hz gives fewer than 2 poses in ", o.duration, " s"));
+        concat("--pose-rate: ", o.pose_rate, " Hz gives fewer than 2 poses in ", o.duration, " s"));
   }
 }
 

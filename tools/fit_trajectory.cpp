@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 
 #include "fit_trajectory/files.hpp"
 #include "fit_trajectory/options.hpp"
+#include "support/concat.hpp"
 #include "support/extremes.hpp"
 #include "support/fit_report.hpp"
 #include "support/formatted.hpp"
@@ -122,7 +122,7 @@ void check(const Options& o) {
   check(o.fit);
   if (o.imu.fit_together && (o.fit.adaptive || o.fit.interpolate)) {
     throw std::invalid_argument(
-        message("--fit-imu and ", o.fit.adaptive ? "--adaptive" : "--interpolate", ": expected uniform knots"));
+        concat("--fit-imu and ", o.fit.adaptive ? "--adaptive" : "--interpolate", ": expected uniform knots"));
   }
   check_positive("--gyro-deviation", o.imu.gyro_deviation);
   check_positive("--accel-deviation", o.imu.accel_deviation);

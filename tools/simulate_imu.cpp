@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdio>
 #include <optional>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/imu/describe.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/simulate.hpp>
@@ -24,6 +23,7 @@
 #include "simulate_imu/options.hpp"
 #include "simulate_imu/output.hpp"
 #include "support/any_trajectory.hpp"
+#include "support/concat.hpp"
 #include "support/error_yaml.hpp"
 #include "support/extremes.hpp"
 #include "support/fit_report.hpp"
@@ -77,8 +77,8 @@ class Run {
 
   void finish() {
     if (written_ == 0) {
-      throw std::runtime_error(message("none of ", samples_, " samples is left: ", dropped_, " dropped, ", left_out(),
-                                       " in holes without poses (--keep-holes keeps these)"));
+      throw std::runtime_error(concat("none of ", samples_, " samples is left: ", dropped_, " dropped, ", left_out(),
+                                      " in holes without poses (--keep-holes keeps these)"));
     }
     if (AtomicFile* table = output_.table()) write(*table);
     const std::string names = output_.commit();

@@ -2,7 +2,6 @@
 #include "compare_trajectories/comparison.hpp"
 
 #include <cmath>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/evaluation/trajectory_drift.hpp>
 #include <splinertia/evaluation/trajectory_pairs.hpp>
 #include <splinertia/time.hpp>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
 using namespace splinertia;
@@ -47,8 +47,8 @@ IndexPairs index_pairs(const Pairs& pairs, const Options& o) {
 void add_relative(Comparison& c, const Options& o) {
   const IndexPairs indices = index_pairs(c.pairs, o);
   if (indices.empty()) {
-    c.no_relative = message("no two of the ", c.pairs.size(), " pairs are ", o.delta, ' ', o.unit,
-                            o.unit == "m" ? " of path" : "", " apart (--delta, --delta-unit)");
+    c.no_relative = concat("no two of the ", c.pairs.size(), " pairs are ", o.delta, ' ', o.unit,
+                           o.unit == "m" ? " of path" : "", " apart (--delta, --delta-unit)");
     return;
   }
   add_rows(c.rows, "RPE", relative_errors(c.pairs, indices), "m", 1, "deg");
@@ -60,10 +60,10 @@ void add_drift(Comparison& c, const Options& o) {
   for (const double length : o.lengths) {
     const Errors errors = drift_errors(c.pairs, length);
     if (errors.empty()) {
-      too_long += message(' ', length);
+      too_long += concat(' ', length);
       continue;
     }
-    add_rows(c.rows, message("drift ", length, " m"), errors, "%", units::percent, "deg/m");
+    add_rows(c.rows, concat("drift ", length, " m"), errors, "%", units::percent, "deg/m");
     all.insert(all.end(), errors.begin(), errors.end());
   }
   const double path = reference_path(c.pairs).back();
@@ -89,7 +89,7 @@ Comparison compare(const Poses& reference, Poses estimate, const Options& o) {
       c.estimated_offset = estimate_time_offset(reference, estimate, {.range = o.time_offset_range});
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(
-          message("--estimate-time-offset: ", error.what(), " (--time-offset, --time-offset-range)"));
+          concat("--estimate-time-offset: ", error.what(), " (--time-offset, --time-offset-range)"));
     }
     c.time_offset += c.estimated_offset->offset;
     shift(estimate, c.estimated_offset->offset);
@@ -98,7 +98,7 @@ Comparison compare(const Poses& reference, Poses estimate, const Options& o) {
   try {
     c.transform = alignment(associated, alignments.at(o.align), o.align_poses.value_or(associated.size()));
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(message("--align ", o.align, ": ", error.what()));
+    throw std::runtime_error(concat("--align ", o.align, ": ", error.what()));
   }
   c.pairs = transformed(associated, c.transform);
   c.absolute = absolute_errors(c.pairs);

@@ -3,13 +3,13 @@
 
 #include <cstdio>
 #include <random>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/units.hpp>
 #include <string>
 #include <system_error>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 #include "support/python_script.hpp"
 
@@ -34,8 +34,8 @@ void print_offset(const Comparison& c, const Options& o) {
 class TemporaryFile {
  public:
   TemporaryFile()
-      : path(std::filesystem::temp_directory_path() /
-             message("compare_trajectories.", std::random_device{}(), ".csv")) {}
+      : path(std::filesystem::temp_directory_path() / concat("compare_trajectories.", std::random_device{}(), ".csv")) {
+  }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
@@ -54,7 +54,7 @@ void print(const Comparison& c, std::size_t reference_poses, std::size_t estimat
   std::printf("%zu pairs at most %g s apart\n", c.pairs.size(), o.max_difference);
   const Eigen::Vector3d turn = GroupTraits<Sophus::SO3d>::log(c.transform.rotation) / units::degree;
   const Eigen::Vector3d& move = c.transform.translation;
-  const std::string poses = o.align_poses ? message(" of the first ", *o.align_poses, " pairs") : "";
+  const std::string poses = o.align_poses ? concat(" of the first ", *o.align_poses, " pairs") : "";
   std::printf("alignment %s%s: rotation vector (%.6g %.6g %.6g) deg, translation (%.6g %.6g %.6g) m, scale %.9g\n",
               o.align.c_str(), poses.c_str(), turn.x(), turn.y(), turn.z(), move.x(), move.y(), move.z(),
               c.transform.scale);
@@ -84,7 +84,7 @@ void write_table(const std::filesystem::path& path, const Comparison& c, FileSet
   AtomicFile file(path);
   file.append("metric,part,unit,count,rmse,mean,median,std,min,max,sse\n");
   for (const auto& [metric, part, unit, e] : c.rows) {
-    file.append(message(metric, ',', part, ',', unit, ',', e.count));
+    file.append(concat(metric, ',', part, ',', unit, ',', e.count));
     for (const double figure : {e.rmse, e.mean, e.median, e.standard_deviation, e.min, e.max, e.sse}) {
       file.append(',');
       file.append_real(figure);
@@ -122,8 +122,8 @@ void plot(const Comparison& c, const Options& o) {
   FileSet files;
   write_errors(errors.path, c, files);
   files.commit();
-  const std::string title = message(o.estimate.file.filename().string(), " against ",
-                                    o.reference.file.filename().string(), ", aligned: ", o.align);
+  const std::string title = concat(o.estimate.file.filename().string(), " against ",
+                                   o.reference.file.filename().string(), ", aligned: ", o.align);
   PythonScript(o.python, "plot_comparison.py", {errors.path.string(), o.plot.string(), "--title", title},
                PythonScript::Output::shared)
       .finish();

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/trajectory.hpp>
 #include <stdexcept>
 #include <vector>
+
+#include "support/concat.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;
@@ -48,8 +49,8 @@ TrueStates read_truth(const Options& o) {
   TrueStates truth = file.velocities.empty() ? states_of(file.poses, o.longest_gap) : states_of(file);
   truth.notes = note_lines(o.trajectory, file);
   if (truth.rows.empty()) {
-    throw std::runtime_error(message(o.trajectory.file.string(), ": expected three consecutive poses at most ",
-                                     o.longest_gap, " s apart, to compute a velocity (--longest-gap)"));
+    throw std::runtime_error(concat(o.trajectory.file.string(), ": expected three consecutive poses at most ",
+                                    o.longest_gap, " s apart, to compute a velocity (--longest-gap)"));
   }
   return truth;
 }

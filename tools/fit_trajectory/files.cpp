@@ -7,6 +7,7 @@
 
 #include "files.hpp"
 #include "support/calibration_file.hpp"
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 #include "support/progress.hpp"
 
@@ -28,19 +29,19 @@ void append_row(AtomicFile& file, nanoseconds time, const auto&... vectors) {
 
 /// After the comments the file is EuRoC ground truth with 8 columns.
 void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, const Options& o) {
-  file.append(message("# cumulative B-spline: p and q of control points T_WB, at the times that they belong to\n",
-                      "# group: ", o.fit.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.fit.order, '\n'));
+  file.append(concat("# cumulative B-spline: p and q of control points T_WB, at the times that they belong to\n",
+                     "# group: ", o.fit.group == "split" ? "SO3xR3" : "SE3", "\n# order: ", o.fit.order, '\n'));
   if (fitted.interval) {
-    file.append(message("# knots: uniform\n# start [ns]: ", fitted.curve.start().count(),
-                        "\n# interval [ns]: ", fitted.interval->count(),
-                        "\n# segment s = 0, 1, ... begins at start + s*interval and uses control points s to s + ",
-                        o.fit.order - 1, '\n'));
+    file.append(concat("# knots: uniform\n# start [ns]: ", fitted.curve.start().count(),
+                       "\n# interval [ns]: ", fitted.interval->count(),
+                       "\n# segment s = 0, 1, ... begins at start + s*interval and uses control points s to s + ",
+                       o.fit.order - 1, '\n'));
   } else {
-    file.append(message("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.curve.start().count(),
-                        "\n# from knot i to knot i + 1 it uses control points i - ", o.fit.order - 1, " to i\n"));
+    file.append(concat("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.curve.start().count(),
+                       "\n# from knot i to knot i + 1 it uses control points i - ", o.fit.order - 1, " to i\n"));
   }
-  file.append(message("# end [ns]: ", fitted.curve.end().count(),
-                      "\n#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n"));
+  file.append(concat("# end [ns]: ", fitted.curve.end().count(),
+                     "\n#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n"));
   for (const auto& [time, pose] : fitted.control_points) {
     const Eigen::Quaterniond& q = rotation(pose).unit_quaternion();
     append_row(file, time, position(pose), Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
@@ -63,7 +64,7 @@ void write_residuals(AtomicFile& file, const FittedTrajectory& fitted) {
 
 void write_knots(AtomicFile& file, const FittedTrajectory& fitted) {
   file.append("#knot [ns]\n");
-  for (const nanoseconds knot : fitted.knots) file.append(message(knot.count(), '\n'));
+  for (const nanoseconds knot : fitted.knots) file.append(concat(knot.count(), '\n'));
 }
 
 void write_samples(AtomicFile& file, const FittedImu& imu) {

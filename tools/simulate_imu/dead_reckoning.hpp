@@ -9,13 +9,14 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/strapdown/integrator.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
 #include <splinertia/strapdown/schemes/euler.hpp>
 #include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <splinertia/units.hpp>
+
+#include "support/concat.hpp"
 
 using TrueState = splinertia::NavState<double, std::chrono::nanoseconds>;
 
@@ -58,7 +59,7 @@ class SchemeErrors {
                 position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last);
   }
   void write(splinertia::AtomicFile& file) const {
-    file.append(splinertia::message(imu_, ',', scheme_));
+    file.append(concat(imu_, ',', scheme_));
     for (const double value :
          {position_.rms(), position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last}) {
       file.append(',');

@@ -2,12 +2,12 @@
 #include "options.hpp"
 
 #include <map>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/errors/noise/random_walk.hpp>
 #include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/imu/presets.hpp>
 #include <stdexcept>
 
+#include "support/concat.hpp"
 #include "support/error_yaml.hpp"
 #include "support/imu_noise.hpp"
 #include "support/whole_number_option.hpp"
@@ -77,7 +77,7 @@ void check(const Options& o) {
   constexpr double most = 9e9;  // s; 64-bit nanoseconds end at 292 years
   if (!(o.duration > 0 && o.duration <= most)) {
     throw std::invalid_argument(
-        message("--duration: ", o.duration, ", expected a positive number of seconds up to ", most));
+        concat("--duration: ", o.duration, ", expected a positive number of seconds up to ", most));
   }
 }
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/parallel.hpp>
 #include <stdexcept>
+
+#include "support/concat.hpp"
 
 using namespace splinertia;
 using allan::Adequacy;
@@ -45,15 +46,15 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
   constexpr std::size_t fewest = 100;  // with fewer the intervals are too wide to be useful
   for (const SensorLog& sensor : log.sensors) {
     if (sensor.samples < fewest) {
-      throw std::runtime_error(message(sensor.path, ": ", sensor.samples, " samples, expected at least ", fewest));
+      throw std::runtime_error(concat(sensor.path, ": ", sensor.samples, " samples, expected at least ", fewest));
     }
   }
   const auto named = [](const SensorLog& sensor, const std::string& axis, const auto& analysis) {
     try {
       return analysis();
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(message(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what(),
-                                       " (- in --columns leaves an axis out)"));
+      throw std::runtime_error(concat(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what(),
+                                      " (- in --columns leaves an axis out)"));
     }
   };
   LogNoise result{log.path, log.rate, static_cast<double>(log.samples) / log.rate, options, {}, log.topic};
@@ -67,7 +68,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
     std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
     for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
       const AxisLog& axis = sensor.axes[i];
-      noise.axes[i] = named(sensor, message(' ', axis.name), [&] {
+      noise.axes[i] = named(sensor, concat(' ', axis.name), [&] {
         const allan::IntegratedSignal<double> signal(axis.values, sensor.rate);
         found[i].emplace(signal);
         AxisNoise one{axis.name, allan::analyse(axis.values, signal, *found[i], options), {}};

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <deque>
 #include <limits>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <string_view>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 #include "support/noise_text.hpp"
 #include "support/yaml_text.hpp"
@@ -33,7 +33,7 @@ void write_curves(AtomicFile& file, const LogNoise& noise) {
   for (const SensorNoise& sensor : noise.sensors) {
     for (const AxisNoise& axis : sensor.axes) {
       for (const auto& point : axis.analysis.curve.points) {
-        file.append(message(sensor_name(sensor.kind), ',', axis.name, ',', point.factor, ','));
+        file.append(concat(sensor_name(sensor.kind), ',', axis.name, ',', point.factor, ','));
         file.append_real(point.tau);
         file.append(',');
         file.append_integer(point.terms);
@@ -59,14 +59,13 @@ void write_noise(AtomicFile& file, const LogNoise& noise) {
         const Estimate& estimate = (*row.noise)[term];
         const bool timed = term == NoiseTerm::gauss_markov || term == NoiseTerm::warm_up;
         if (timed && !estimate.detected && !estimate.possible) continue;
-        file.append(
-            message(sensor_name(sensor.kind), ',', row.name, ',', symbol(term), ',', estimate.detected ? 1 : 0));
+        file.append(concat(sensor_name(sensor.kind), ',', row.name, ',', symbol(term), ',', estimate.detected ? 1 : 0));
         const bool known = row.noise->considered.has(term);
         const bool holds = row.adequacy != Adequacy::inadequate && known;
         const bool disturbed = row.disturbed && estimate.possible;
         write_reals(file, {disturbed || !known ? nan : estimate.value, holds ? estimate.interval.lower : nan,
                            holds ? estimate.interval.upper : nan, holds ? estimate.standard_error() : nan});
-        file.append(message(',', unit_of(term, sensor.kind)));
+        file.append(concat(',', unit_of(term, sensor.kind)));
         if (timed) {
           const auto& with_time = term == NoiseTerm::warm_up ? row.noise->W : row.noise->G;
           write_reals(file, {with_time.time, holds ? with_time.time_interval.lower : nan,
@@ -74,11 +73,11 @@ void write_noise(AtomicFile& file, const LogNoise& noise) {
         } else {
           file.append(",,,");
         }
-        file.append(message(',',
-                            estimate.detected   ? "detected"
-                            : estimate.possible ? "possible"
-                                                : "absent",
-                            ',', name(row.adequacy), '\n'));
+        file.append(concat(',',
+                           estimate.detected   ? "detected"
+                           : estimate.possible ? "possible"
+                                               : "absent",
+                           ',', name(row.adequacy), '\n'));
       }
     }
   }
@@ -89,7 +88,7 @@ void write_spectrum(AtomicFile& file, const LogNoise& noise) {
   for (const SensorNoise& sensor : noise.sensors) {
     for (const AxisNoise& axis : sensor.axes) {
       for (const auto& point : axis.noise().spectrum) {
-        file.append(message(sensor_name(sensor.kind), ',', axis.name));
+        file.append(concat(sensor_name(sensor.kind), ',', axis.name));
         write_reals(file, {point.frequency, point.density, point.expected, point.count});
         file.append(point.used ? ",1\n" : ",0\n");
       }
@@ -108,14 +107,14 @@ void write_findings(AtomicFile& file, const LogNoise& noise) {
   file.append("#sensor,axis,kind,from,to,unit,text\n");
   for (const SensorNoise& sensor : noise.sensors) {
     const std::string name(sensor_name(sensor.kind));
-    file.append(message(name, ",all,log,0"));
+    file.append(concat(name, ",all,log,0"));
     write_reals(file, {sensor.duration});
     file.append(",s," +
                 quoted(formatted("%s, %.6g Hz, %s", std::filesystem::path(noise.log).filename().c_str(), sensor.rate,
                                  duration_text(sensor.duration).c_str())) +
                 '\n');
     const auto write = [&](const std::string& axis, const Finding& finding) {
-      file.append(message(name, ',', axis, ',', finding.kind));
+      file.append(concat(name, ',', axis, ',', finding.kind));
       write_reals(file, {finding.from, finding.to});
       file.append(',' + finding.unit + ',' + quoted(finding.text) + '\n');
     };
@@ -145,7 +144,7 @@ Candidate candidate(const SensorNoise::Row& row, NoiseTerm term, double confiden
   const auto& bias = row.noise->G;
   const int described = row.adequacy == Adequacy::inadequate ? 0 : 3;
   Candidate result{described, estimate.interval.upper, row.name,
-                   message("not detected, this is the upper limit with ", confidence * 100, " % confidence")};
+                   concat("not detected, this is the upper limit with ", confidence * 100, " % confidence")};
   if (estimate.detected) {
     result = {described + 2, estimate.value, row.name, ""};
   } else if (term == NoiseTerm::random_walk && bias.detected) {
@@ -159,7 +158,7 @@ Candidate candidate(const SensorNoise::Row& row, NoiseTerm term, double confiden
   }
   if (described == 0)
     result.comment +=
-        message(result.comment.empty() ? "" : "; ", "the terms do not describe the log, this is only a rough value");
+        concat(result.comment.empty() ? "" : "; ", "the terms do not describe the log, this is only a rough value");
   return result;
 }
 
@@ -174,8 +173,8 @@ Choice choose(const SensorNoise& sensor, NoiseTerm term, double confidence) {
   std::string comment =
       sensor.pooled ? "from all axes, which agree"
       : candidates.size() > 1
-          ? message("from axis ", worst->axis, ", the largest known value: the axes differ or are not all described")
-          : message("from axis ", worst->axis, ", the only one");
+          ? concat("from axis ", worst->axis, ", the largest known value: the axes differ or are not all described")
+          : concat("from axis ", worst->axis, ", the only one");
   if (!worst->comment.empty()) comment += "; " + worst->comment;
   return {worst->value, comment};
 }
@@ -184,7 +183,7 @@ Choice choose(const SensorNoise& sensor, NoiseTerm term, double confidence) {
 
 std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
   EstimatorNoise result;
-  result.comments.push_back(message("Noise of ", noise.log, ", at rest for ", noise.duration, " s."));
+  result.comments.push_back(concat("Noise of ", noise.log, ", at rest for ", noise.duration, " s."));
   result.imu.update_rate = noise.rate;
   if (noise.topic) result.imu.topic = *noise.topic;
   int found = 0;
@@ -197,14 +196,14 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
       const Choice choice = choose(sensor, term, noise.options.confidence);
       density = choice.value;
       if (density > 0) ++found;
-      result.comments.push_back(message(sensor_text, '_', key, ": ", choice.comment));
+      result.comments.push_back(concat(sensor_text, '_', key, ": ", choice.comment));
     };
     take(NoiseTerm::white, "noise_density", gyro ? result.imu.gyro_noise_density : result.imu.accel_noise_density);
     take(NoiseTerm::random_walk, "random_walk", gyro ? result.imu.gyro_random_walk : result.imu.accel_random_walk);
     for (const auto& row : sensor.rows()) {
       if (sensor.pooled && row.name != "all") continue;
       if (row.adequacy != Adequacy::adequate) {
-        below.push_back(message(sensor_text, ' ', row.name, ": adequacy ", name(row.adequacy)));
+        below.push_back(concat(sensor_text, ' ', row.name, ": adequacy ", name(row.adequacy)));
       }
       for (const NoiseTerm term : {NoiseTerm::bias_instability, NoiseTerm::rate_ramp, NoiseTerm::warm_up}) {
         const Estimate& estimate = (*row.noise)[term];
@@ -215,11 +214,11 @@ std::optional<EstimatorNoise> estimator_noise(const LogNoise& noise) {
                                   unit_of(term, sensor.kind).c_str()));
       }
     }
-    if (sensor.pooled_finding) below.push_back(message(sensor_text, ": ", sensor.pooled_finding->text));
+    if (sensor.pooled_finding) below.push_back(concat(sensor_text, ": ", sensor.pooled_finding->text));
     for (const AxisNoise& axis : sensor.axes) {
       for (const Finding& finding : axis.findings) {
         if (finding.warning || (finding.kind == "descriptions" && !sensor.pooled)) {
-          below.push_back(message(finding.warning ? "WARNING " : "", sensor_text, ' ', axis.name, ": ", finding.text));
+          below.push_back(concat(finding.warning ? "WARNING " : "", sensor_text, ' ', axis.name, ": ", finding.text));
         }
       }
     }

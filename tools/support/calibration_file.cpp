@@ -4,14 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "support/concat.hpp"
 #include "support/yaml_reader.hpp"
 
 using namespace splinertia;
@@ -33,25 +32,25 @@ std::string number_text(double value) {
 
 std::string checked(const char* key, double value, bool may_be_infinite) {
   if (may_be_infinite && value == std::numeric_limits<double>::infinity()) return ".inf";
-  if (!is_finite(value) || (may_be_infinite && value < 0)) {
-    throw std::invalid_argument(message("calibration: ", key, " is ", value, ", expected ",
-                                        may_be_infinite ? "a number >= 0" : "a finite number"));
+  if (!std::isfinite(value) || (may_be_infinite && value < 0)) {
+    throw std::invalid_argument(concat("calibration: ", key, " is ", value, ", expected ",
+                                       may_be_infinite ? "a number >= 0" : "a finite number"));
   }
   return number_text(value);
 }
 
 void append_list(std::string& text, const char* key, const auto& values, bool may_be_infinite, const char* unit) {
-  text += message(key, ": [");
+  text += concat(key, ": [");
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     text += (i == 0 ? "" : ", ") + checked(key, values[i], may_be_infinite);
   }
-  text += message("]  # ", unit, '\n');
+  text += concat("]  # ", unit, '\n');
 }
 
 double deviation_of(const YamlReader& entry, const char* key) {
   if (entry.text() == ".inf") return std::numeric_limits<double>::infinity();
   const double value = entry.number();
-  if (value < 0) entry.fail(message(key, ": ", value, ", expected a number >= 0"));
+  if (value < 0) entry.fail(concat(key, ": ", value, ", expected a number >= 0"));
   return value;
 }
 
@@ -60,7 +59,7 @@ Eigen::Matrix<double, Size, 1> list(const YamlReader& file, const char* key, con
   const YamlReader entry = file[key];
   const std::vector<YamlReader> elements = entry.elements();
   if (elements.size() != std::size_t(Size)) {
-    entry.fail(message(key, ": ", elements.size(), " numbers, expected ", Size));
+    entry.fail(concat(key, ": ", elements.size(), " numbers, expected ", Size));
   }
   Eigen::Matrix<double, Size, 1> values;
   for (int i = 0; i < Size; ++i) values[i] = read(elements[static_cast<std::size_t>(i)]);
@@ -81,7 +80,7 @@ Sophus::SO3d rotation_of(const YamlReader& entry) {
   const Eigen::Quaterniond q(entry["w"].number(), entry["x"].number(), entry["y"].number(), entry["z"].number());
   const double norm = q.norm();
   if (!(std::abs(norm - 1) <= 1e-3)) {
-    entry.fail(message("rotation: a quaternion of norm ", norm, ", expected 1 to within 0.001"));
+    entry.fail(concat("rotation: a quaternion of norm ", norm, ", expected 1 to within 0.001"));
   }
   // A unit quaternion (to rounding) is not normalized, so that a written file reads back to the same bits.
   return rotation_from_unit_quaternion<double>(std::abs(norm - 1) < 1e-15 ? q : q.normalized());
@@ -103,13 +102,14 @@ std::string calibration_text(const CalibratedImu<double>& imu) {
               "rad, in two directions perpendicular to it");
   append_list(text, "lever_arm", c.arm.p_BI, false, "m, p_BI: the IMU in the body");
   append_list(text, "lever_arm_standard_deviation", deviation.lever_arm, true, "m");
-  text += message("rotation: {w: ", checked("rotation", q.w(), false), ", x: ", checked("rotation", q.x(), false),
-                  ", y: ", checked("rotation", q.y(), false), ", z: ", checked("rotation", q.z(), false),
-                  "}  # R_BI: axes of the IMU in those of the body\n");
-  text += message("time_offset: ", checked("time_offset", c.time_offset, false),
-                  "  # s: time of the trajectory's clock - time of the IMU's\n");
-  text += message("time_offset_standard_deviation: ",
-                  checked("time_offset_standard_deviation", deviation.time_offset, true), "  # s\n");
+  text += concat("rotation: {w: ", checked("rotation", q.w(), false), ", x: ", checked("rotation", q.x(), false),
+                 ", y: ", checked("rotation", q.y(), false), ", z: ", checked("rotation", q.z(), false),
+                 "}  # R_BI: axes of the IMU in those of the body\n");
+  text += concat("time_offset: ", checked("time_offset", c.time_offset, false),
+                 "  # s: time of the trajectory's clock - time of the IMU's\n");
+  text +=
+      concat("time_offset_standard_deviation: ", checked("time_offset_standard_deviation", deviation.time_offset, true),
+             "  # s\n");
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "support/concat.hpp"
 #include "support/yaml_reader.hpp"
 
 using namespace splinertia;
@@ -26,7 +27,7 @@ class Parameters {
   [[nodiscard]] YamlReader operator[](const std::string& name) {
     asked_.insert(name);
     if (reader_.is_map()) return reader_[name];
-    if (taken_++ > 0) reader_.fail(message("no ", name, ", expected a map of parameters, {", name, ": ..., ...}"));
+    if (taken_++ > 0) reader_.fail(concat("no ", name, ", expected a map of parameters, {", name, ": ..., ...}"));
     return reader_;
   }
   [[nodiscard]] PerAxis<double> per_axis(const std::string& name) { return (*this)[name].per_axis(); }
@@ -150,12 +151,12 @@ Model read_terms(const YamlReader& list, const std::vector<TermReader<Model>>& t
   Model model;
   for (const YamlReader& element : list.elements()) {
     const auto keys = element.keys();
-    if (keys.size() != 1) element.fail(message(keys.size(), " keys, expected a list of terms: `- white_noise: 0.01`"));
+    if (keys.size() != 1) element.fail(concat(keys.size(), " keys, expected a list of terms: `- white_noise: 0.01`"));
     const auto reader = std::find_if(table.begin(), table.end(), [&](const auto& r) { return r.name == keys[0]; });
     if (reader == table.end()) {
       std::string known;
       for (const auto& term : table) known += (known.empty() ? "" : ", ") + term.name;
-      element.fail(message("unknown term ", keys[0], ", expected ", known));
+      element.fail(concat("unknown term ", keys[0], ", expected ", known));
     }
     Parameters parameters(element[keys[0]]);
     try {

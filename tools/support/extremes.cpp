@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <splinertia/motion/kinematics.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"
+#include "support/pose_distances.hpp"
 
 using namespace splinertia;
 using std::chrono::nanoseconds;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "support/fit_choices.hpp"
 
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-using splinertia::message;
+#include "support/concat.hpp"
 
 namespace {
 
@@ -70,8 +69,8 @@ void add_fit_options(CLI::App& app, FitChoices& o, CLI::Option* trajectory) {
 }
 
 void check_positive(const char* option, std::optional<double> number) {
-  if (number && !(*number > 0 && splinertia::is_finite(*number))) {
-    throw std::invalid_argument(message(option, ": ", *number, ", expected a finite number > 0"));
+  if (number && !(*number > 0 && std::isfinite(*number))) {
+    throw std::invalid_argument(concat(option, ": ", *number, ", expected a finite number > 0"));
   }
 }
 
@@ -91,22 +90,22 @@ void check(const FitChoices& o) {
   const char* chosen = nullptr;
   for (const auto& [given, name] : ways) {
     if (!given) continue;
-    if (chosen) throw std::invalid_argument(message(chosen, " and ", name, ": expected one way to place knots"));
+    if (chosen) throw std::invalid_argument(concat(chosen, " and ", name, ": expected one way to place knots"));
     chosen = name;
   }
   if (o.interpolate && o.order % 2 != 0) {
-    throw std::invalid_argument(message("--interpolate: order ", o.order, ", expected an even order"));
+    throw std::invalid_argument(concat("--interpolate: order ", o.order, ", expected an even order"));
   }
   if (o.interpolate && (o.position_deviation || o.position_density)) {
     throw std::invalid_argument(
         "--interpolate: expected no deviations and no smoothness, since the curve goes through every pose");
   }
   if (o.position_density && o.smooth_derivative >= o.order) {
-    throw std::invalid_argument(message("--smooth-derivative: ", o.smooth_derivative, " with --order ", o.order,
-                                        ", expected a derivative below the order"));
+    throw std::invalid_argument(concat("--smooth-derivative: ", o.smooth_derivative, " with --order ", o.order,
+                                       ", expected a derivative below the order"));
   }
   if (o.knot_interval && !(*o.knot_interval >= 1e-6 && *o.knot_interval <= 1e6)) {
-    throw std::invalid_argument(message("--knot-interval: ", *o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
+    throw std::invalid_argument(concat("--knot-interval: ", *o.knot_interval, ", expected 1e-6 to 1e6 seconds"));
   }
   check_positive("--goal-position", o.goal_position);
   check_positive("--goal-rotation", o.goal_rotation);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 
 #include "support/formatted.hpp"
+#include "support/pose_distances.hpp"
 #include "support/yaml_text.hpp"
 
 using namespace splinertia;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "support/fitted_trajectory.hpp"
 
-#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 #include "support/progress.hpp"
 
@@ -37,7 +37,7 @@ FitInput read_fit_input(const TrajectoryInput& input) {
 FittedTrajectory fit_trajectory(const FitInput& input, const FitChoices& choices, const FitImu* imu) {
   if (input.poses.size() < 2) {
     throw std::runtime_error(
-        message(input.file.string(), ": ", input.poses.empty() ? "no poses" : "1 pose", ", expected at least 2"));
+        concat(input.file.string(), ": ", input.poses.empty() ? "no poses" : "1 pose", ", expected at least 2"));
   }
   const auto with_group = [&]<typename G>() {
     switch (choices.order) {

@@ -4,9 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
+#include <cmath>
 #include <vector>
+
+#include "support/concat.hpp"
 
 /// The acceleration of free fall in the world, m/s².
 struct GravityOption {
@@ -17,11 +18,9 @@ struct GravityOption {
 /// ambiguous, and numbers that are not finite. Returns the option, for group() and count().
 inline CLI::Option* add_gravity_option(CLI::App& app, GravityOption& gravity) {
   const auto read = [&gravity](const std::vector<double>& numbers) {
-    const auto refuse = [](const auto&... what) {
-      throw CLI::ValidationError("--gravity", splinertia::message(what...));
-    };
+    const auto refuse = [](const auto&... what) { throw CLI::ValidationError("--gravity", concat(what...)); };
     for (const double number : numbers) {
-      if (!splinertia::is_finite(number)) refuse(number, ", expected finite numbers");
+      if (!std::isfinite(number)) refuse(number, ", expected finite numbers");
     }
     if (numbers.size() == 3) {
       gravity.vector = Eigen::Vector3d(numbers.data());

@@ -2,12 +2,11 @@
 #include "support/holes.hpp"
 
 #include <algorithm>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/time.hpp>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
-using splinertia::message;
 using splinertia::to_seconds;
 using std::chrono::nanoseconds;
 
@@ -36,12 +35,12 @@ std::vector<std::string> hole_lines(const std::vector<Hole>& holes, nanoseconds 
 std::string holes_csv(const std::vector<Hole>& holes) {
   std::string text = "#start [ns],end [ns],length [s]\n";
   for (const auto& [start, end] : holes) {
-    text += message(start.count(), ',', end.count(), ',', to_seconds<double>(end - start), '\n');
+    text += concat(start.count(), ',', end.count(), ',', to_seconds<double>(end - start), '\n');
   }
   return text;
 }
 
 std::string hole_comment(const Hole& hole) {
-  return message("hole from ", hole.start.count(), " to ", hole.end.count(),
-                 " ns: no poses, the readings in it are invented");
+  return concat("hole from ", hole.start.count(), " to ", hole.end.count(),
+                " ns: no poses, the readings in it are invented");
 }

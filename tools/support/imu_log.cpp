@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
-#include <splinertia/detail/require.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/stamp_unit.hpp>
 #include <splinertia/io/text_file.hpp>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 #include "support/imu_log_checks.hpp"
 #include "support/imu_log_columns.hpp"
@@ -64,14 +63,16 @@ ImuTable table_of(const std::filesystem::path& path, const ImuLogOptions& option
 void complete(ImuTable& table, std::span<const std::string_view> of_other_log) {
   const bool bag = is_ros_bag(table.path);
   if (bag && (table.rate || !table.columns.empty() || table.time_unit)) {
-    throw std::invalid_argument(message(table.path.string(), ": a ROS bag, expected no ", table.rate_option, ", ",
-                                        table.columns_option, " or --time-unit"));
+    throw std::invalid_argument(concat(table.path.string(), ": a ROS bag, expected no ", table.rate_option, ", ",
+                                       table.columns_option, " or --time-unit"));
   }
-  if (table.rate) require_positive(table.rate_option.c_str(), "rate", *table.rate);
+  if (table.rate && !(std::isfinite(*table.rate) && *table.rate > 0)) {
+    throw std::invalid_argument(concat(table.rate_option, ": rate is ", *table.rate, ", expected a finite number > 0"));
+  }
   for (const std::string& name : table.columns) {
     if (!is_among(of_other_log, name)) continue;
-    throw std::invalid_argument(message(table.columns_option, ": ", name, ", expected the columns of one sensor, ",
-                                        "since --accel-log has the accelerometer"));
+    throw std::invalid_argument(concat(table.columns_option, ": ", name, ", expected the columns of one sensor, ",
+                                       "since --accel-log has the accelerometer"));
   }
   if (!table.columns.empty()) return;
   table.usual_time_unit = TimeUnit::nanoseconds;
@@ -109,12 +110,12 @@ std::string ways_out(const Stream& stream, const allan::SamplingLimits& limits) 
   if (sampling.bursts) {
     std::string text = "; --arrival-times uses this rate";
     if (is_ros_bag(stream.table.path)) return text;
-    text += message(", and so does reading the log without times: ", stream.table.columns_option, '=');
+    text += concat(", and so does reading the log without times: ", stream.table.columns_option, '=');
     for (std::size_t i = 0; i < stream.table.columns.size(); ++i) {
       const std::string& name = stream.table.columns[i];
       text += (i == 0 ? "" : ",") + (name == "t" ? "-" : name);
     }
-    return text + message(' ', stream.table.rate_option, ' ', formatted("%.7g", sampling.rate));
+    return text + concat(' ', stream.table.rate_option, ' ', formatted("%.7g", sampling.rate));
   }
   if (sampling.jitter > limits.jitter * sampling.nominal_interval) {
     return "; --most-jitter accepts more, --arrival-times uses the times only for the rate";
@@ -126,15 +127,15 @@ Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
   Stream stream{table, read_imu_columns(table), {}, table.rate.value_or(0), std::nullopt};
   const std::size_t kept = stream.columns.rows, dropped = stream.columns.duplicates;
   if (dropped * 100 > kept + dropped) {
-    throw std::runtime_error(message(table.path.string(), ": sampling: ", dropped, " of ", kept + dropped,
-                                     " rows have the stamp of the previous row, expected at most 1 % to drop: they "
-                                     "are samples of packets with one stamp each; ignore the times with - for t in "
-                                     "--columns, and give ",
-                                     table.rate_option));
+    throw std::runtime_error(concat(table.path.string(), ": sampling: ", dropped, " of ", kept + dropped,
+                                    " rows have the stamp of the previous row, expected at most 1 % to drop: they "
+                                    "are samples of packets with one stamp each; ignore the times with - for t in "
+                                    "--columns, and give ",
+                                    table.rate_option));
   }
-  if (table.rate && !is_finite(static_cast<double>(kept) / *table.rate)) {
-    throw std::invalid_argument(message(table.rate_option, ": rate is ", *table.rate, " Hz, at which ", kept,
-                                        " samples exceed the largest time that a number can represent"));
+  if (table.rate && !std::isfinite(static_cast<double>(kept) / *table.rate)) {
+    throw std::invalid_argument(concat(table.rate_option, ": rate is ", *table.rate, " Hz, at which ", kept,
+                                       " samples exceed the largest time that a number can represent"));
   }
   stream.left_out = leave_out(stream.columns, options, table.rate);
   if (stream.columns.times.empty()) return stream;
@@ -146,9 +147,9 @@ Stream read_stream(const ImuTable& table, const ImuLogOptions& options) {
     allan::require_regular(*stream.sampling, options.limits);
   } catch (const std::invalid_argument& error) {
     const std::string way_out = stream.sampling ? ways_out(stream, options.limits) : "";
-    throw std::runtime_error(message(table.path.string(), ": ", error.what(), way_out));
+    throw std::runtime_error(concat(table.path.string(), ": ", error.what(), way_out));
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(message(table.path.string(), ": ", error.what()));
+    throw std::runtime_error(concat(table.path.string(), ": ", error.what()));
   }
   return stream;
 }
@@ -176,27 +177,27 @@ std::string sampling_text(const Stream& stream, const allan::SamplingLimits& lim
 /// Adds lines on how a stream was read. With two streams, each line begins with the name of its sensor.
 void report(const Stream& stream, const std::string& name, const ImuLogOptions& options, ImuLog& log) {
   if (!name.empty() && !log.report.empty()) {  // the report begins with the first log
-    log.report.push_back(message(name, "log: ", stream.table.path.string(),
-                                 stream.columns.topic ? " (" + *stream.columns.topic + ')' : "", ", ",
-                                 stream.columns.rows, " samples, ",
-                                 formatted("%.6g", static_cast<double>(stream.columns.rows) / stream.rate), " s"));
+    log.report.push_back(concat(name, "log: ", stream.table.path.string(),
+                                stream.columns.topic ? " (" + *stream.columns.topic + ')' : "", ", ",
+                                stream.columns.rows, " samples, ",
+                                formatted("%.6g", static_cast<double>(stream.columns.rows) / stream.rate), " s"));
   }
   log.report.push_back(name + "sampling: " + sampling_text(stream, options.limits));
   if (stream.columns.duplicates > 0) {
-    log.report.push_back(message(name, "duplicates: ", stream.columns.duplicates,
-                                 stream.columns.duplicates == 1 ? " row" : " rows",
-                                 " with the stamp of the previous row left out"));
+    log.report.push_back(concat(name, "duplicates: ", stream.columns.duplicates,
+                                stream.columns.duplicates == 1 ? " row" : " rows",
+                                " with the stamp of the previous row left out"));
   }
   if (!stream.left_out.inside.empty()) {
     std::vector<std::string> spans;
     for (const LogSpan& span : stream.left_out.inside) {
       spans.push_back(formatted("%.6g s to %.6g s", span.begin, span.end));
     }
-    log.report.push_back(message(name, "left out: ", list_of(spans), ", ", stream.left_out.rows_inside,
-                                 " samples; the parts before and after are joined"));
+    log.report.push_back(concat(name, "left out: ", list_of(spans), ", ", stream.left_out.rows_inside,
+                                " samples; the parts before and after are joined"));
   }
   if (!stream.columns.unit_note.empty()) {
-    log.units += message(log.units.empty() ? "" : ", ", name, stream.columns.unit_note, " (--time-unit)");
+    log.units += concat(log.units.empty() ? "" : ", ", name, stream.columns.unit_note, " (--time-unit)");
   }
 }
 
@@ -219,7 +220,7 @@ void add_sensors(Stream& stream, const ImuLogOptions& options, ImuLog& log) {
     try {
       check_unit(sensor, unit.has_value(), log);
     } catch (const std::exception& error) {
-      throw std::runtime_error(message(sensor.path, ": ", error.what()));
+      throw std::runtime_error(concat(sensor.path, ": ", error.what()));
     }
     log.sensors.push_back(std::move(sensor));
   }

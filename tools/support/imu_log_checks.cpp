@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 #include <splinertia/allan/record/unit_check.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <stdexcept>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
 using namespace splinertia;
@@ -34,40 +34,40 @@ std::string short_text(double value) { return formatted("%.4g", value); }
 }  // namespace
 
 void check_unit(const SensorLog& sensor, bool given, ImuLog& log) {
-  log.units += message(log.units.empty() ? "" : ", ", sensor_name(sensor.kind), " in ",
-                       unit_text(SensorUnit{}, sensor.kind), given ? " as converted" : " as assumed");
+  log.units += concat(log.units.empty() ? "" : ", ", sensor_name(sensor.kind), " in ",
+                      unit_text(SensorUnit{}, sensor.kind), given ? " as converted" : " as assumed");
   const auto mean = mean_of(sensor);
   if (!mean) return;
-  log.units += message(" (mean ", short_text(mean->norm()), ")");
+  log.units += concat(" (mean ", short_text(mean->norm()), ")");
   const auto say = [&](bool refuse, const std::string& text) {
     if (refuse && !given) throw std::runtime_error(text);
     log.warnings.push_back(text);
   };
   if (sensor.kind == SensorKind::gyro) {
     if (allan::plausible_gyroscope_mean(*mean)) return;
-    say(true, message("gyroscope: its mean is ", short_text(mean->norm()),
-                      " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if that is "
-                      "right)"));
+    say(true, concat("gyroscope: its mean is ", short_text(mean->norm()),
+                     " rad/s, expected less than 1 at rest: it turns, or give --gyro-unit deg/s (or rad/s, if that is "
+                     "right)"));
     return;
   }
   using allan::AccelerometerMean;
   const std::string found =
-      message("accelerometer: its mean is ", short_text(mean->norm()), " m/s^2, expected 9.8 at rest: ");
+      concat("accelerometer: its mean is ", short_text(mean->norm()), " m/s^2, expected 9.8 at rest: ");
   const char* or_si = " (or m/s2, if that is right)";
   switch (allan::recognize_accelerometer_mean(*mean)) {
     case AccelerometerMean::gravity:
       break;
     case AccelerometerMean::gravity_in_g:
-      say(true, message(found, "it looks like g, give --accel-unit g", or_si));
+      say(true, concat(found, "it looks like g, give --accel-unit g", or_si));
       break;
     case AccelerometerMean::gravity_in_milli_g:
-      say(true, message(found, "it looks like mg, give --accel-unit mg", or_si));
+      say(true, concat(found, "it looks like mg, give --accel-unit mg", or_si));
       break;
     case AccelerometerMean::no_gravity:
-      say(false, message(found, "gravity has been removed, perhaps by a filter, which also changes the noise"));
+      say(false, concat(found, "gravity has been removed, perhaps by a filter, which also changes the noise"));
       break;
     case AccelerometerMean::unclear:
-      say(false, message(found, "it moves, is not calibrated, or is in another unit"));
+      say(false, concat(found, "it moves, is not calibrated, or is in another unit"));
       break;
   }
 }

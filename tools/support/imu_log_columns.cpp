@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/seconds_text.hpp>
 #include <splinertia/io/text_file.hpp>
@@ -11,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/imu_log_stamps.hpp"
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
@@ -31,11 +31,11 @@ class ColumnReader {
       const auto found = std::find(imu_column_names.begin(), imu_column_names.end(), name);
       const auto place = static_cast<std::size_t>(found - imu_column_names.begin());
       if (place == unused && name != "-") {
-        throw std::invalid_argument(message(table.columns_option, ": ", excerpt(name),
-                                            ", expected t, gx, gy, gz, ax, ay, az, or - for a column to ignore"));
+        throw std::invalid_argument(concat(table.columns_option, ": ", excerpt(name),
+                                           ", expected t, gx, gy, gz, ax, ay, az, or - for a column to ignore"));
       }
       if (place != unused && std::find(places_.begin(), places_.end(), place) != places_.end()) {
-        throw std::invalid_argument(message(table.columns_option, ": ", name, " is given twice, expected each once"));
+        throw std::invalid_argument(concat(table.columns_option, ": ", name, " is given twice, expected each once"));
       }
       if (place == 0) time_column_ = places_.size();
       places_.push_back(place);
@@ -44,15 +44,15 @@ class ColumnReader {
     }
     if (std::all_of(places_.begin(), places_.end(), [](std::size_t place) { return place == 0 || place == unused; })) {
       throw std::invalid_argument(
-          message(table.columns_option, ": ", names_, ", expected at least one of gx, gy, gz, ax, ay, az"));
+          concat(table.columns_option, ": ", names_, ", expected at least one of gx, gy, gz, ax, ay, az"));
     }
     if (time_column_ && table.rate) {
       throw std::invalid_argument(
-          message(table.rate_option, ": the log has times (column t), expected only one of the two"));
+          concat(table.rate_option, ": the log has times (column t), expected only one of the two"));
     }
     if (!time_column_ && !table.rate) {
       throw std::invalid_argument(
-          message(table.columns_option, ": ", names_, ", expected t among them, or ", table.rate_option));
+          concat(table.columns_option, ": ", names_, ", expected t among them, or ", table.rate_option));
     }
   }
 

@@ -2,12 +2,12 @@
 #include "support/imu_log_stamps.hpp"
 
 #include <array>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/stamp_unit.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
 using namespace splinertia;
@@ -26,16 +26,16 @@ std::string plausible_units(double rate, double duration, TimeUnit unit) {
     const double longer = seconds_of(other) / seconds_of(unit);
     if (other == unit || duration * longer < shortest_log) continue;
     if (!is_plausible(longer / rate, TimeUnit::seconds, imu_rates)) continue;
-    text += message(text.empty() ? "" : " or ", "--time-unit ", time_unit_name(other), " (",
-                    formatted("%.4g", rate / longer), " Hz)");
+    text += concat(text.empty() ? "" : " or ", "--time-unit ", time_unit_name(other), " (",
+                   formatted("%.4g", rate / longer), " Hz)");
   }
   return text.empty() ? "expected another --time-unit" : "give " + text;
 }
 
 std::string too_fast(double rate, std::optional<TimeUnit> unit) {
-  return message("sampling: ", formatted("%.4g", rate), " Hz",
-                 unit ? message(" if the times are in ", time_unit_name(*unit)) : "", ", expected at most ",
-                 imu_rates.highest, " Hz for an IMU");
+  return concat("sampling: ", formatted("%.4g", rate), " Hz",
+                unit ? concat(" if the times are in ", time_unit_name(*unit)) : "", ", expected at most ",
+                imu_rates.highest, " Hz for an IMU");
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ StampUnit choose_stamp_unit(std::span<const std::string> first_stamps, std::opti
   const bool has_format = usual.has_value() && !sample.fractions;
   if (!has_format && since_1970 && plausible(*since_1970)) {
     if (since_1970 == TimeUnit::seconds && !usual) return {TimeUnit::seconds, ""};
-    return {*since_1970, message("times in ", time_unit_name(*since_1970), " since 1970, as their digits ",
-                                 sample.decimals ? "and decimals " : "", "show")};
+    return {*since_1970, concat("times in ", time_unit_name(*since_1970), " since 1970, as their digits ",
+                                sample.decimals ? "and decimals " : "", "show")};
   }
   if (!has_format && sample.decimals && plausible(TimeUnit::seconds)) {
     return {TimeUnit::seconds, usual ? "times in s, as they have decimals" : ""};
@@ -61,11 +61,11 @@ StampUnit choose_stamp_unit(std::span<const std::string> first_stamps, std::opti
   if (few || (usual ? rate <= imu_rates.highest : plausible(unit))) return {unit, ""};
   const std::string way_out =
       since_1970 && plausible(*since_1970)
-          ? message("give --time-unit ", time_unit_name(*since_1970), formatted(" (%.4g Hz)", rate_in(*since_1970)))
+          ? concat("give --time-unit ", time_unit_name(*since_1970), formatted(" (%.4g Hz)", rate_in(*since_1970)))
           : plausible_units(rate, 1e9 * shortest_log, unit);
-  if (usual) throw std::runtime_error(message(where, ": ", too_fast(rate, unit), "; ", way_out));
-  throw std::runtime_error(message(where, ": the unit of the times is unknown: the samples would have ",
-                                   rates_text(sample.mean_step), "; ", way_out));
+  if (usual) throw std::runtime_error(concat(where, ": ", too_fast(rate, unit), "; ", way_out));
+  throw std::runtime_error(concat(where, ": the unit of the times is unknown: the samples would have ",
+                                  rates_text(sample.mean_step), "; ", way_out));
 }
 
 void require_plausible_times(const LogSampling& sampling, std::optional<TimeUnit> unit) {
@@ -74,8 +74,8 @@ void require_plausible_times(const LogSampling& sampling, std::optional<TimeUnit
   const std::string way_out = unit ? "; " + plausible_units(sampling.rate, duration, *unit) : "";
   if (sampling.rate > imu_rates.highest) throw std::runtime_error(too_fast(sampling.rate, unit) + way_out);
   if (duration < shortest_log) {
-    throw std::runtime_error(message("sampling: the log lasts ", formatted("%.4g", duration), " s",
-                                     unit ? message(" if the times are in ", time_unit_name(*unit)) : "",
-                                     ", expected at least ", shortest_log, " s", way_out));
+    throw std::runtime_error(concat("sampling: the log lasts ", formatted("%.4g", duration), " s",
+                                    unit ? concat(" if the times are in ", time_unit_name(*unit)) : "",
+                                    ", expected at least ", shortest_log, " s", way_out));
   }
 }

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <splinertia/detail/message.hpp>
-#include <splinertia/detail/require.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 #include <string_view>
+
+#include "support/concat.hpp"
 
 using namespace splinertia;
 
@@ -31,8 +31,8 @@ LogSpan parse_span(const std::string& text) {
     if (begin.problem || end.problem || !(begin.value >= 0) || !(begin.value < end.value)) break;
     return {begin.value, end.value};
   }
-  throw std::invalid_argument(message("--leave-out: ", excerpt(text),
-                                      ", expected A-B with 0 <= A < B, in seconds from the beginning of the log"));
+  throw std::invalid_argument(concat("--leave-out: ", excerpt(text),
+                                     ", expected A-B with 0 <= A < B, in seconds from the beginning of the log"));
 }
 
 class Clock {
@@ -81,17 +81,21 @@ void merge(std::vector<Rows>& list) {
 }  // namespace
 
 LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::optional<double> rate) {
-  require_non_negative("--skip", "time", options.skip);
+  if (!(std::isfinite(options.skip) && options.skip >= 0)) {
+    throw std::invalid_argument(concat("--skip: time is ", options.skip, ", expected a finite number >= 0"));
+  }
   const Clock clock(columns, rate);
   const std::size_t all = columns.rows;
   std::vector<Rows> removed{{0, clock.row_at(options.skip)}};
-  if (removed[0].last + 1 >= all) throw std::invalid_argument(message("--skip: ", options.skip, " s is the whole log"));
+  if (removed[0].last + 1 >= all) throw std::invalid_argument(concat("--skip: ", options.skip, " s is the whole log"));
   if (options.until) {
-    require_positive("--until", "time", *options.until);
+    if (!(std::isfinite(*options.until) && *options.until > 0)) {
+      throw std::invalid_argument(concat("--until: time is ", *options.until, ", expected a finite number > 0"));
+    }
     removed.push_back({clock.row_at(*options.until), all});
     if (removed[1].first <= removed[0].last) {
-      throw std::invalid_argument(message("--until: ", *options.until, " s, expected more than the ", options.skip,
-                                          " s of --skip, with a sample in between"));
+      throw std::invalid_argument(concat("--until: ", *options.until, " s, expected more than the ", options.skip,
+                                         " s of --skip, with a sample in between"));
     }
   }
   for (const std::string& text : options.leave_out) {
@@ -99,7 +103,7 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
     removed.push_back({clock.row_at(span.begin), clock.row_at(span.end)});
     if (removed.back().first == removed.back().last) {
       throw std::invalid_argument(
-          message("--leave-out: ", excerpt(text), " contains no sample, the log is ", clock.duration(), " s long"));
+          concat("--leave-out: ", excerpt(text), " contains no sample, the log is ", clock.duration(), " s long"));
     }
   }
   merge(removed);

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/errors/noise_densities.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
 #include <splinertia/errors/scale/misalignment_conventions.hpp>
 #include <stdexcept>
 
+#include "support/concat.hpp"
 #include "support/imu_noise.hpp"
 #include "support/yaml_reader.hpp"
-
-using splinertia::message;
 
 namespace {
 
@@ -42,13 +39,13 @@ const Format& format_of(const YamlReader& file) {
   if (found.empty()) {
     std::string expected;
     for (const Format& format : formats) {
-      expected += message(expected.empty() ? "" : ", ", format.owners, " (", format.keys[0], ", ...)");
+      expected += concat(expected.empty() ? "" : ", ", format.owners, " (", format.keys[0], ", ...)");
     }
     file.fail("no IMU noise, expected the keys of " + expected);
   }
   if (found.size() > 1) {
-    file.fail(message("keys of ", found[0]->owners, " (", found[0]->keys[0], ", ...) and of ", found[1]->owners, " (",
-                      found[1]->keys[0], ", ...), expected only those of one"));
+    file.fail(concat("keys of ", found[0]->owners, " (", found[0]->keys[0], ", ...) and of ", found[1]->owners, " (",
+                     found[1]->keys[0], ", ...), expected only those of one"));
   }
   return *found.front();
 }
@@ -56,7 +53,7 @@ const Format& format_of(const YamlReader& file) {
 double positive(const YamlReader& file, const char* key) {
   const YamlReader entry = file[key];
   const double value = entry.number();
-  if (!(value > 0)) entry.fail(message(key, " is ", value, ", expected a number > 0"));
+  if (!(value > 0)) entry.fail(concat(key, " is ", value, ", expected a number > 0"));
   return value;
 }
 
@@ -113,7 +110,7 @@ void read_intrinsics(const YamlReader& file, ImuNoise& noise) {
     read_openvins_intrinsics(file, noise);  // Kalibr's model `calibrated` has no intrinsics
   } else {
     file["model"].fail(
-        message("model ", model, ", expected calibrated or scale-misalignment (Kalibr), kalibr or rpng (OpenVINS)"));
+        concat("model ", model, ", expected calibrated or scale-misalignment (Kalibr), kalibr or rpng (OpenVINS)"));
   }
 }
 
@@ -143,8 +140,8 @@ ImuNoise read_imu_noise(const std::filesystem::path& path, std::optional<double>
   for (std::size_t i = 0; i < densities.size(); ++i) {
     double& density = *densities[i];
     density = density_of(format.estimator, density, noise.update_rate);
-    if (!(density > 0) || !splinertia::is_finite(density)) {
-      file[format.keys[i]].fail(message(format.keys[i], " is a density of ", density, ", expected a number > 0"));
+    if (!(density > 0) || !std::isfinite(density)) {
+      file[format.keys[i]].fail(concat(format.keys[i], " is a density of ", density, ", expected a number > 0"));
     }
   }
   const char* topic = format.estimator == Estimator::vins ? "imu_topic" : "rostopic";

@@ -2,13 +2,12 @@
 // The writing half of imu_noise.hpp. The units are those of each estimator's source code, the recommendations those of
 // its documentation; docs/noise_densities.md and docs/allan.md have the tables.
 #include <cmath>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/errors/noise_densities.hpp>
 
+#include "support/concat.hpp"
 #include "support/imu_noise.hpp"
 #include "support/yaml_text.hpp"
 
-using splinertia::message;
 using splinertia::white_noise_sigma;
 
 namespace {
@@ -16,11 +15,11 @@ namespace {
 using Lines = std::vector<std::string>;
 
 std::string entry(std::string_view key, double value, std::string_view unit) {
-  return message(key, ": ", yaml_number(value), "  # ", unit);
+  return concat(key, ": ", yaml_number(value), "  # ", unit);
 }
 
 std::string topic_entry(std::string_view key, const ImuNoise& noise) {
-  return message(key, ": ", yaml_string(noise.topic));
+  return concat(key, ": ", yaml_string(noise.topic));
 }
 
 // OpenCV's FileStorage recognizes its files by the first line.
@@ -40,13 +39,13 @@ constexpr std::string_view densities_comment =
 std::string about(Estimator estimator) {
   switch (estimator) {
     case Estimator::kalibr:
-      return message(
+      return concat(
           densities_comment,
           "# The values are not inflated. Kalibr's wiki (IMU Noise Model) says that the cheapest sensors may\n"
           "# need 10 times as much and more, because a sensor at rest shows neither errors of its scale factors\n"
           "# nor of temperature.\n");
     case Estimator::openvins:
-      return message(
+      return concat(
           "# This is the kalibr_imu_chain.yaml of OpenVINS. The intrinsics are those of an ideal IMU.\n",
           densities_comment,
           "# The values are not inflated. OpenVINS' guide (Sensor Calibration, IMU Noise Calibration) suggests\n"
@@ -61,7 +60,7 @@ std::string about(Estimator estimator) {
              "# The values are not inflated. VINS' documentation recommends no factor. Its file for EuRoC has about\n"
              "# 4 times the white noise of that data set.\n";
     case Estimator::orbslam3:
-      return message(
+      return concat(
           "# These lines belong in the settings file of ORB-SLAM3.\n", densities_comment,
           "# The values are not inflated. ORB-SLAM3's Calibration_Tutorial.pdf (section 3.2) recommends about\n"
           "# 10 times GyroWalk and AccWalk, for errors that the model leaves out and for initialization.\n");
@@ -82,9 +81,9 @@ Lines kalibr_entries(const ImuNoise& noise) {
 
 Lines openvins_entries(const ImuNoise& noise) {
   const auto matrix = [](std::string_view key, int size, int diagonal) {
-    std::string text = message("  ", key, ":");
+    std::string text = concat("  ", key, ":");
     for (int i = 0; i < size; ++i) {
-      for (int j = 0; j < size; ++j) text += message(j == 0 ? "\n    - [" : ", ", i == j ? diagonal : 0, ".0");
+      for (int j = 0; j < size; ++j) text += concat(j == 0 ? "\n    - [" : ", ", i == j ? diagonal : 0, ".0");
       text += ']';
     }
     return text;
@@ -111,12 +110,12 @@ Lines vins_entries(const ImuNoise& noise) {
 Lines orbslam3_entries(const ImuNoise& noise) {
   // ORB-SLAM3 before version 1.0 takes only whole numbers for the frequency.
   const bool whole = std::round(noise.update_rate) == noise.update_rate;
-  return {entry("IMU.NoiseGyro", noise.gyro_noise_density, "rad/s/sqrt(Hz)"),
-          entry("IMU.NoiseAcc", noise.accel_noise_density, "m/s^2/sqrt(Hz)"),
-          entry("IMU.GyroWalk", noise.gyro_random_walk, "rad/s^2/sqrt(Hz)"),
-          entry("IMU.AccWalk", noise.accel_random_walk, "m/s^3/sqrt(Hz)"),
-          whole ? message("IMU.Frequency: ", noise.update_rate, "  # Hz")
-                : entry("IMU.Frequency", noise.update_rate, "Hz")};
+  return {
+      entry("IMU.NoiseGyro", noise.gyro_noise_density, "rad/s/sqrt(Hz)"),
+      entry("IMU.NoiseAcc", noise.accel_noise_density, "m/s^2/sqrt(Hz)"),
+      entry("IMU.GyroWalk", noise.gyro_random_walk, "rad/s^2/sqrt(Hz)"),
+      entry("IMU.AccWalk", noise.accel_random_walk, "m/s^3/sqrt(Hz)"),
+      whole ? concat("IMU.Frequency: ", noise.update_rate, "  # Hz") : entry("IMU.Frequency", noise.update_rate, "Hz")};
 }
 
 Lines gtsam_entries(const ImuNoise& noise) {

@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cmath>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/noise_densities.hpp>
 #include <splinertia/units.hpp>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
 using namespace splinertia;
@@ -83,5 +83,5 @@ std::string slow_terms_text(const allan::Description<double>& description, Senso
 }
 
 std::string duration_text(double seconds) {
-  return seconds >= units::hour ? message(std::round(seconds / 36) / 100, " h") : message(std::round(seconds), " s");
+  return seconds >= units::hour ? concat(std::round(seconds / 36) / 100, " h") : concat(std::round(seconds), " s");
 }

@@ -13,13 +13,13 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/io/atomic_file.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/formatted.hpp"
 
 using namespace splinertia;
@@ -54,7 +54,7 @@ std::int64_t nanoseconds_of(std::filesystem::file_time_type time) {
 
 /// A line of the list: name, size in bytes and time of the last change, or the name alone.
 std::string line_of(const std::string& name, const Written& written) {
-  return written ? message(name, ' ', written->size, ' ', nanoseconds_of(written->time), '\n') : name + '\n';
+  return written ? concat(name, ' ', written->size, ' ', nanoseconds_of(written->time), '\n') : name + '\n';
 }
 
 /// A name is listed twice if the program was killed before it replaced the file.
@@ -81,7 +81,7 @@ std::map<std::string, std::vector<Written>> read_list(const std::filesystem::pat
 void create(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::runtime_error(message(folder.string(), ": cannot create this folder: ", error.message()));
+  if (error) throw std::runtime_error(concat(folder.string(), ": cannot create this folder: ", error.message()));
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -91,7 +91,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 OutputFolder::OutputFolder(std::filesystem::path folder, std::string_view program, const Inputs& inputs)
-    : folder_(std::move(folder)), list_(folder_ / message('.', program, ".files")), program_(program) {
+    : folder_(std::move(folder)), list_(folder_ / concat('.', program, ".files")), program_(program) {
   keep_inputs(files_, inputs);
   expect_no_inputs({list_.filename().string()});
 }
@@ -110,7 +110,7 @@ std::filesystem::path OutputFolder::path(std::string_view name) {
 /// Marks files that only an earlier run wrote for removal. Returns the text of the list while files of both runs exist.
 std::string OutputFolder::list_and_remove_left_over() {
   std::string text =
-      message("# Files that ", program_, " has written here. Its next run removes those that it does not write.\n");
+      concat("# Files that ", program_, " has written here. Its next run removes those that it does not write.\n");
   std::vector<std::string> removed;
   for (const auto& [name, versions] : read_list(list_)) {
     const auto path = folder_ / name;

@@ -16,6 +16,16 @@ nanoseconds longest_interval(const Poses& poses) {
   return longest;
 }
 
+double median_interval(const Poses& poses) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    intervals.push_back(to_seconds<double>(poses[i].time - poses[i - 1].time));
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return *middle;
+}
+
 PoseDistances distances(const Poses& curve, const Poses& poses) {
   PoseDistances result;
   for (std::size_t i = 0; i < poses.size(); ++i) {

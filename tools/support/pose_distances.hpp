@@ -14,6 +14,9 @@ using Poses = std::vector<splinertia::Stamped<splinertia::SO3xR3<double>>>;
 
 [[nodiscard]] std::chrono::nanoseconds longest_interval(const Poses& poses);
 
+/// The median interval between neighbouring poses, s. Requires at least two poses.
+[[nodiscard]] double median_interval(const Poses& poses);
+
 /// Curve minus pose: the position in the world frame [m], the rotation in the body frame of the pose [rad].
 struct PoseDistances {
   std::vector<Eigen::Vector3d> rotation{}, position{};

@@ -10,12 +10,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
-using splinertia::message;
+#include "support/concat.hpp"
 
 extern char** environ;
 
@@ -26,7 +25,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
 std::filesystem::path beside_this_program(const std::string& name) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw std::runtime_error(message("cannot find the folder of this program: ", error.message()));
+  if (error) throw std::runtime_error(concat("cannot find the folder of this program: ", error.message()));
   return program.parent_path() / name;
 }
 
@@ -57,7 +56,7 @@ PythonScript::PythonScript(const std::string& python, const std::string& name,
   posix_spawn_file_actions_init(&actions);
   std::array<int, 2> ends{-1, -1};
   if (output == Output::piped) {
-    if (::pipe(ends.data()) != 0) throw std::runtime_error(message("cannot make a pipe: ", reason(errno)));
+    if (::pipe(ends.data()) != 0) throw std::runtime_error(concat("cannot make a pipe: ", reason(errno)));
     for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   }
@@ -70,8 +69,8 @@ PythonScript::PythonScript(const std::string& python, const std::string& name,
   if (error != 0) {
     process_ = -1;
     if (pipe_ >= 0) ::close(pipe_);
-    throw std::runtime_error(message("cannot run ", python, ", which ", name, " needs: ", reason(error),
-                                     "; expected Python 3 (--python or SPLINERTIA_PYTHON)"));
+    throw std::runtime_error(concat("cannot run ", python, ", which ", name, " needs: ", reason(error),
+                                    "; expected Python 3 (--python or SPLINERTIA_PYTHON)"));
   }
 }
 
@@ -81,7 +80,7 @@ PythonScript::~PythonScript() {
   if (process_ >= 0) ::waitpid(process_, nullptr, 0);
 }
 
-std::filesystem::path PythonScript::output() const { return message("/dev/fd/", pipe_); }
+std::filesystem::path PythonScript::output() const { return concat("/dev/fd/", pipe_); }
 
 void PythonScript::finish() {
   int status = 0;
@@ -90,6 +89,6 @@ void PythonScript::finish() {
   process_ = -1;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 2) throw ScriptFailed(name_ + " has refused its input");
-  throw std::runtime_error(WIFEXITED(status) ? message(name_, ": exit code ", WEXITSTATUS(status), ", expected 0")
-                                             : message(name_, ": ended by signal ", WTERMSIG(status)));
+  throw std::runtime_error(WIFEXITED(status) ? concat(name_, ": exit code ", WEXITSTATUS(status), ", expected 0")
+                                             : concat(name_, ": ended by signal ", WTERMSIG(status)));
 }

@@ -3,11 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
-#include <splinertia/detail/message.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "support/concat.hpp"
 #include "support/python_script.hpp"
 #include "support/yaml_text.hpp"
 
@@ -30,7 +30,7 @@ TrajectoryFile read_bag(const TrajectoryInput& input) {
   if (f.kind != TrajectoryFormat::Kind::automatic || !f.columns.empty() || f.quaternion_order || f.time_unit ||
       f.rate || !f.times.empty()) {
     throw std::invalid_argument(
-        message(input.file.string(), ": a ROS bag, expected no options except --topic and ", "--skip-bad-rows"));
+        concat(input.file.string(), ": a ROS bag, expected no options except --topic and ", "--skip-bad-rows"));
   }
   std::vector<std::string> arguments{input.file.string()};
   if (input.topic) arguments.insert(arguments.end(), {"--topic", *input.topic});
@@ -50,7 +50,7 @@ TrajectoryFile read_bag(const TrajectoryInput& input) {
     if (text.starts_with(pipe + ':')) text.erase(0, pipe.size() + 1);
     if (text.starts_with(' ')) text.erase(0, 1);
     const bool of_a_line = !text.empty() && text.front() >= '0' && text.front() <= '9';
-    throw std::runtime_error(message(input.file.string(), of_a_line ? ": message " : ": ", text));
+    throw std::runtime_error(concat(input.file.string(), of_a_line ? ": message " : ": ", text));
   }
 }
 
@@ -91,7 +91,7 @@ void add_trajectory_options(CLI::App& app, TrajectoryInput& input, CLI::Option* 
 TrajectoryFile read_trajectory_input(const TrajectoryInput& input) {
   if (is_ros_bag(input.file)) return read_bag(input);
   if (input.topic) {
-    throw std::invalid_argument(message("--topic: ", input.file.string(), " is not a ROS bag, expected one"));
+    throw std::invalid_argument(concat("--topic: ", input.file.string(), " is not a ROS bag, expected one"));
   }
   return read_trajectory(input.file, input.format);
 }

@@ -2,19 +2,17 @@
 #include "support/yaml_reader.hpp"
 
 #include <yaml-cpp/yaml.h>
+#include <cmath>
 
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/units.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/yaml_text.hpp"
-
-using splinertia::message;
 
 namespace {
 
@@ -59,12 +57,12 @@ std::string names(const Table& table) {
 YamlReader YamlReader::open(const std::filesystem::path& path) {
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) {
-    throw std::runtime_error(message(path.string(), ": cannot read this file"));
+    throw std::runtime_error(concat(path.string(), ": cannot read this file"));
   }
   try {
     return YamlReader(path, YAML::Load(file));
   } catch (const YAML::ParserException& error) {
-    throw std::runtime_error(message(path.string(), ':', error.mark.line + 1, ": not YAML: ", escaped_line(error.msg)));
+    throw std::runtime_error(concat(path.string(), ':', error.mark.line + 1, ": not YAML: ", escaped_line(error.msg)));
   }
 }
 
@@ -74,8 +72,8 @@ YamlReader::YamlReader(std::filesystem::path path, const YAML::Node& node)
 void YamlReader::fail(const std::string& what) const {
   const YAML::Mark mark = node_->Mark();
   const std::string line = escaped_line(what);  // text from the file may contain control characters
-  throw std::runtime_error(mark.is_null() ? message(path_.string(), ": ", line)
-                                          : message(path_.string(), ':', mark.line + 1, ": ", line));
+  throw std::runtime_error(mark.is_null() ? concat(path_.string(), ": ", line)
+                                          : concat(path_.string(), ':', mark.line + 1, ": ", line));
 }
 
 bool YamlReader::is_map() const { return node_->IsMap(); }
@@ -85,13 +83,13 @@ bool YamlReader::has(const std::string& key) const {
   int count = 0;
   for (const auto& entry : *node_) {
     const bool found = entry.first.IsScalar() && entry.first.Scalar() == key;
-    if (found && ++count > 1) YamlReader(path_, entry.first).fail(message(key, " is given twice, expected it once"));
+    if (found && ++count > 1) YamlReader(path_, entry.first).fail(concat(key, " is given twice, expected it once"));
   }
   return count == 1;
 }
 
 YamlReader YamlReader::operator[](const std::string& key) const {
-  if (!has(key)) fail(message("no ", key, ", expected one"));
+  if (!has(key)) fail(concat("no ", key, ", expected one"));
   return {path_, (*node_)[key]};
 }
 
@@ -101,7 +99,7 @@ std::vector<std::string> YamlReader::keys() const {
   for (const auto& entry : *node_) {
     const std::string key = YamlReader(path_, entry.first).text();
     if (std::find(result.begin(), result.end(), key) != result.end()) {
-      YamlReader(path_, entry.first).fail(message(key, " is given twice"));
+      YamlReader(path_, entry.first).fail(concat(key, " is given twice"));
     }
     result.push_back(key);
   }
@@ -126,13 +124,13 @@ double YamlReader::number() const {
   const auto unit_at = space == std::string::npos ? all.size() : all.find_first_not_of(' ', space);
   double value = 0;
   if (!YAML::convert<double>::decode(YAML::Node(all.substr(0, space)), value)) {
-    fail(message(all, " is not a number"));
+    fail(concat(all, " is not a number"));
   }
-  if (!splinertia::is_finite(value)) fail(message(all, ", expected a finite number"));
+  if (!std::isfinite(value)) fail(concat(all, ", expected a finite number"));
   if (unit_at >= all.size()) return value;
   const auto unit = known_units().find(all.substr(unit_at));
   if (unit == known_units().end()) {
-    fail(message(all, ": unknown unit ", all.substr(unit_at), ", expected none (SI) or one of ", names(known_units())));
+    fail(concat(all, ": unknown unit ", all.substr(unit_at), ", expected none (SI) or one of ", names(known_units())));
   }
   return value * unit->second;
 }
@@ -140,19 +138,19 @@ double YamlReader::number() const {
 splinertia::PerAxis<double> YamlReader::per_axis() const {
   if (!is_list()) return number();
   const auto axes = elements();
-  if (axes.size() != 3) fail(message(axes.size(), " numbers, expected one, or one for each of 3 axes"));
+  if (axes.size() != 3) fail(concat(axes.size(), " numbers, expected one, or one for each of 3 axes"));
   return {axes[0].number(), axes[1].number(), axes[2].number()};
 }
 
 Eigen::Matrix3d YamlReader::matrix() const {
   if (!is_list()) return Eigen::Matrix3d(number() * Eigen::Matrix3d::Identity());
   const auto rows = elements();
-  if (rows.size() != 3) fail(message(rows.size(), " rows, expected 3 of 3 numbers"));
+  if (rows.size() != 3) fail(concat(rows.size(), " rows, expected 3 of 3 numbers"));
   Eigen::Matrix3d m;
   for (int i = 0; i < 3; ++i) {
     const auto& row = rows[static_cast<std::size_t>(i)];
     const auto columns = row.elements();
-    if (columns.size() != 3) row.fail(message(columns.size(), " numbers in a row, expected 3"));
+    if (columns.size() != 3) row.fail(concat(columns.size(), " numbers in a row, expected 3"));
     for (int j = 0; j < 3; ++j) m(i, j) = columns[static_cast<std::size_t>(j)].number();
   }
   return m;
@@ -163,6 +161,6 @@ void YamlReader::expect_only(const std::set<std::string>& known) const {
     if (known.count(key) != 0) continue;
     std::string expected;
     for (const std::string& name : known) expected += (expected.empty() ? "" : ", ") + name;
-    fail(message("unknown ", key, ", expected ", expected));
+    fail(concat("unknown ", key, ", expected ", expected));
   }
 }

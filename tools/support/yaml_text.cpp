@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <splinertia/detail/message.hpp>
+
+#include "support/concat.hpp"
 
 namespace {
 
@@ -69,7 +70,7 @@ std::string yaml_string(std::string_view text) {
 }
 
 std::string yaml_number(double value) {
-  std::string text = splinertia::message(value);
+  std::string text = concat(value);
   if (text.find('.') == std::string::npos) text.insert(std::min(text.find('e'), text.size()), ".0");
   return text;
 }

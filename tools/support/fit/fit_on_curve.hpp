@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <optional>
 #include <splinertia/calibration/inertial_fit.hpp>
-#include <splinertia/detail/message.hpp>
 #include <splinertia/spline/fit/adaptive_fit.hpp>
 #include <splinertia/spline/fit/choose_knots.hpp>
 #include <splinertia/spline/fit/fit.hpp>
@@ -16,8 +15,10 @@
 #include <string>
 #include <utility>
 
+#include "support/concat.hpp"
 #include "support/fitted_trajectory.hpp"
 #include "support/formatted.hpp"
+#include "support/pose_distances.hpp"
 #include "support/progress.hpp"
 
 namespace {
@@ -30,7 +31,7 @@ auto about(const std::filesystem::path& file, const char* help, const auto& work
   try {
     return work();
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(message(file.string(), ": ", error.what(), help));
+    throw std::runtime_error(concat(file.string(), ": ", error.what(), help));
   }
 }
 
@@ -212,7 +213,7 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
       if (o.interpolate) {
         const Stage stage("interpolating");
         // The criterion of fit() for gaps, with a knot at every pose.
-        const double longest = 2.5 * median_interval(data);
+        const double longest = 2.5 * median_interval(input.poses);
         for (std::size_t i = 1; i < data.size(); ++i) {
           if (to_seconds<double>(data[i].time - data[i - 1].time) > longest) {
             result.holes.push_back({data[i - 1].time, data[i].time});
