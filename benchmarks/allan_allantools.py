@@ -3,7 +3,7 @@
 """The overlapping Allan deviation by the Python package allantools, beside the benchmark program allan_analysis.
 
     allan_allantools.py PROGRAM [SAMPLES [REPETITIONS]]           # 10000000 and 5; prints name,value,unit
-    allan_allantools.py --text ALLAN [SAMPLES [REPETITIONS]]      # the example program allan, from a text file
+    allan_allantools.py --text ALLAN [SAMPLES [REPETITIONS]]      # the program allan, from a text file
 
 Both take the same log and averaging times, one after the other, so that other load of the machine slows both. The time
 is that from the log in memory to the deviations. With --text it is from a file with one number of 17 digits per line,

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """How often intervals of the overlapping Allan deviation hold at long averaging times, by two rules for the noise type.
 
-    allan_intervals.py PROGRAM [LOGS]     # PROGRAM: examples/allan; 2000 logs a case; prints a table, needs numpy
+    allan_intervals.py PROGRAM [LOGS]     # PROGRAM: tools/allan; 2000 logs a case; prints a table, needs numpy
 
 The interval depends on the power law alpha of the noise, which has to be identified from few averages there.
   ours      the alpha of PROGRAM: below 30 averages that of the longest time with so many, and at most 0

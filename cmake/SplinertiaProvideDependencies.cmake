@@ -6,7 +6,7 @@ include_guard(GLOBAL)
 cmake_path(SET splinertia_deps NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../build/deps")
 set(SPLINERTIA_DEPS_DIR "${splinertia_deps}" CACHE PATH "Where fetched packages are kept")
 set(SPLINERTIA_DEPS_SOURCES git apt build pip CACHE STRING "Where to fetch from, in this order")
-option(SPLINERTIA_FETCH_OPTIONAL_PACKAGES "Fetch also what only some tests and examples use" OFF)
+option(SPLINERTIA_FETCH_OPTIONAL_PACKAGES "Fetch also what only some tests, tools and examples use" OFF)
 
 # package | kind | what to get. The folder in SPLINERTIA_DEPS_DIR is named after the first three cells.
 #   git: tag, url, the commit that the tag must be   apt: package   pip: version, name, sha256 of the source archive

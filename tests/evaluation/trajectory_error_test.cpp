@@ -122,7 +122,7 @@ TEST_CASE("Statistics are those of numpy") {
         "error_statistics: error 1 is not finite");
 }
 
-// That all of it agrees with evo is checked with the program: tests/examples/compare_trajectories_test.cmake.
+// That all of it agrees with evo is checked with the program: tests/tools/compare_trajectories_test.cmake.
 TEST_CASE("From stamped poses to a figure") {
   std::vector<Stamped<Split>> reference, estimate;
   for (int i = 0; i < 50; ++i) {
