@@ -78,7 +78,7 @@ Analysis analyse(const std::vector<double>& log, const Options& options) {
     result.adequacy = static_cast<int>(analysis.adequacy());
   } else {
     result.noise =
-        allan::identify_pooled(std::vector<allan::detail::DifferenceSpectrum<double>>(signals.begin(), signals.end()));
+        allan::identify_pooled(std::vector<allan::DifferenceSpectrum<double>>(signals.begin(), signals.end()));
     if (!result.noise.fits || result.noise.agreement_probability < 0.01) result.adequacy = 2;
   }
   result.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

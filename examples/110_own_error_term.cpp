@@ -21,7 +21,7 @@ struct BurstNoise {
   double height;  // in the sensor's unit
   double jumps_per_second;
 
-  void apply(Sample<double>& sample, auto& state) const {
+  void apply(SensorSample<double>& sample, auto& state) const {
     if (state.uniform() < jumps_per_second * sample.interval) state.high = !state.high;
     if (!state.high) return;
     sample.value.array() += height;

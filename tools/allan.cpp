@@ -113,11 +113,11 @@ void analyse_log(Options o) {
   if (!o.no_plot) plot(o);
 }
 
-allan::detail::AveragingFactors factors_of(const std::string& text) {
-  if (text == "all") return allan::detail::AveragingFactors::all();
-  if (text == "octave") return allan::detail::AveragingFactors::octave();
-  if (text == "decade") return allan::detail::AveragingFactors::decade();
-  if (text == "log") return allan::detail::AveragingFactors::logarithmic();
+allan::AveragingFactors factors_of(const std::string& text) {
+  if (text == "all") return allan::AveragingFactors::all();
+  if (text == "octave") return allan::AveragingFactors::octave();
+  if (text == "decade") return allan::AveragingFactors::decade();
+  if (text == "log") return allan::AveragingFactors::logarithmic();
   std::vector<std::string_view> words;
   split_fields(text, words);
   if (words.empty()) words.push_back(text);
@@ -130,7 +130,7 @@ allan::detail::AveragingFactors factors_of(const std::string& text) {
     }
     factors.push_back(factor.value);
   }
-  return allan::detail::AveragingFactors::given(std::move(factors));
+  return allan::AveragingFactors::given(std::move(factors));
 }
 
 using Curve = allan::Curve<double>;

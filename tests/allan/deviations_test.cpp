@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/averaging_factors.hpp>
 #include <splinertia/allan/deviations.hpp>
 #include <stdexcept>
 #include <string>

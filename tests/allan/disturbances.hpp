@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <splinertia/allan/detail/difference_spectrum.hpp>
+#include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/random/normal.hpp>
 #include <vector>
 

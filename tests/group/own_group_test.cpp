@@ -86,6 +86,8 @@ static_assert(splinertia::LieGroupWithJacobians<Similarity>);
 
 namespace {
 
+using namespace splinertia::detail;
+
 const Eigen::Vector4d twist(1, 0.5, 0.1, 0.4);  // per second
 
 // Control points every 0.5 s along a constant twist.

@@ -60,9 +60,9 @@ TEST_CASE("An Allan curve keeps the name that it is given") {
 }
 
 TEST_CASE("An identification keeps the spectra of its axes, and stays where it is") {
-  using Spectra = std::vector<allan::detail::DifferenceSpectrum<double>>;
+  using Spectra = std::vector<allan::DifferenceSpectrum<double>>;
   const auto spectrum = [] {
-    return allan::detail::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(signal(), 100.0));
+    return allan::DifferenceSpectrum<double>(allan::IntegratedSignal<double>(signal(), 100.0));
   };
   const allan::IdentifyOptions<double> options{
       .candidates = allan::NoiseTerms{allan::NoiseTerm::white, allan::NoiseTerm::random_walk}};

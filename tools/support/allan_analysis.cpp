@@ -14,9 +14,9 @@ using allan::Adequacy;
 namespace {
 
 /// The estimates of all axes together, if the axes agree, each is described by its terms and none has steps.
-std::optional<allan::NoiseEstimates<double>> pooled(
-    const SensorNoise& sensor, const std::vector<allan::detail::DifferenceSpectrum<double>>& spectra,
-    const allan::IdentifyOptions<double>& options) {
+std::optional<allan::NoiseEstimates<double>> pooled(const SensorNoise& sensor,
+                                                    const std::vector<allan::DifferenceSpectrum<double>>& spectra,
+                                                    const allan::IdentifyOptions<double>& options) {
   constexpr double least_agreement = 0.01;
   const bool sound = std::all_of(sensor.axes.begin(), sensor.axes.end(), [](const AxisNoise& axis) {
     return axis.analysis.adequacy() != Adequacy::inadequate && axis.analysis.steps.empty();
@@ -65,7 +65,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
                       std::vector<AxisNoise>(sensor.axes.size()),
                       {},
                       {}};
-    std::vector<std::optional<allan::detail::DifferenceSpectrum<double>>> found(sensor.axes.size());
+    std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
     for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
       const AxisLog& axis = sensor.axes[i];
       noise.axes[i] = named(sensor, concat(' ', axis.name), [&] {
@@ -76,7 +76,7 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
         return one;
       });
     });
-    std::vector<allan::detail::DifferenceSpectrum<double>> spectra;
+    std::vector<allan::DifferenceSpectrum<double>> spectra;
     for (auto& spectrum : found) spectra.push_back(std::move(*spectrum));
     noise.pooled = named(sensor, "", [&] { return pooled(noise, spectra, options); });
     if (noise.pooled) noise.pooled_finding = descriptions_finding(*noise.pooled, sensor.kind);

@@ -107,7 +107,7 @@ Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eige
   if (!fitted.holes.empty()) result.invented.emplace();
   peaks_of_curve(fitted, gravity, rate, result);
   const nanoseconds usual = after(nanoseconds(0), median_interval(poses));
-  const Tangent<SO3xR3<double>> noise = noise_of(poses);
+  const Tangent<SO3xR3<double>> noise = pose_noise(poses);
   result.noise = {noise.head<3>().maxCoeff(), noise.tail<3>().maxCoeff()};
   result.window = window_of(result.noise, usual, knot_interval(fitted));
   for (const Poses& stretch : stretches(poses, fitted)) {

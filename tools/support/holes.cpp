@@ -8,7 +8,6 @@
 #include "support/formatted.hpp"
 
 using splinertia::to_seconds;
-using splinertia::detail::message;
 using std::chrono::nanoseconds;
 
 std::optional<std::size_t> hole_at(const std::vector<Hole>& holes, nanoseconds time) {

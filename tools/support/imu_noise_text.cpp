@@ -9,7 +9,6 @@
 #include "support/yaml_text.hpp"
 
 using splinertia::white_noise_sigma;
-using splinertia::detail::message;
 
 namespace {
 

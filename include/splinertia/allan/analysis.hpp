@@ -83,7 +83,7 @@ void withhold(NoiseEstimates<Scalar>& noise, NoiseTerms terms) {
 /// freezes no slow term is detected, because a step looks like a random walk. Throws as identify() and curve() do.
 template <Signal S, typename Scalar = detail::ScalarOfSignal<S>>
 [[nodiscard]] Analysis<Scalar> analyse(const S& samples, const IntegratedSignal<Scalar>& signal,
-                                       const detail::DifferenceSpectrum<Scalar>& spectrum,
+                                       const DifferenceSpectrum<Scalar>& spectrum,
                                        const IdentifyOptions<Scalar>& options = {}) {
   Analysis<Scalar> result{.curve = curve<OverlappingAllanDeviation>(signal),
                           .noise = detail::Identification<Scalar>({spectrum}, options).estimates()};
@@ -119,7 +119,7 @@ template <Signal S>
 [[nodiscard]] Analysis<detail::ScalarOfSignal<S>> analyse(
     const S& samples, detail::ScalarOfSignal<S> rate, const IdentifyOptions<detail::ScalarOfSignal<S>>& options = {}) {
   const IntegratedSignal<detail::ScalarOfSignal<S>> signal(samples, rate);
-  return analyse(samples, signal, detail::DifferenceSpectrum<detail::ScalarOfSignal<S>>(signal), options);
+  return analyse(samples, signal, DifferenceSpectrum<detail::ScalarOfSignal<S>>(signal), options);
 }
 
 }  // namespace splinertia::allan

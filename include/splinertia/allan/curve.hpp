@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/averaging_factors.hpp>
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/degrees_of_freedom.hpp>
 #include <splinertia/allan/detail/total_degrees_of_freedom.hpp>
@@ -46,7 +46,7 @@ struct Curve {
 
 template <typename Scalar>
 struct CurveOptions {
-  detail::AveragingFactors factors = detail::AveragingFactors::logarithmic();
+  AveragingFactors factors = AveragingFactors::logarithmic();
   Scalar confidence = detail::one_sigma<Scalar>;
   std::optional<int> alpha{};  ///< use this power law for all points instead of identifying it
   /// The default has the published degrees of freedom (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/averaging_factors.hpp>
 #include <splinertia/allan/detail/difference_sums.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <string_view>
@@ -85,7 +85,7 @@ concept Deviation = requires(std::int64_t n, std::int64_t m) {
 template <Deviation D, typename Scalar>
 [[nodiscard]] std::vector<Scalar> deviations(const IntegratedSignal<Scalar>& signal,
                                              const std::vector<std::int64_t>& factors) {
-  (void)detail::AveragingFactors::given(factors).up_to(D::largest_factor(signal.samples()));
+  (void)AveragingFactors::given(factors).up_to(D::largest_factor(signal.samples()));
   const std::vector<Scalar>& x = signal.sums();
   std::vector<Scalar> result;
   if constexpr (D::overlapping && !D::modified) {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <span>
 #include <splinertia/allan/detail/band_selection.hpp>
-#include <splinertia/allan/detail/difference_spectrum.hpp>
 #include <splinertia/allan/detail/fit_bands.hpp>
 #include <splinertia/allan/detail/model/model_estimates.hpp>
 #include <splinertia/allan/detail/model/model_selection.hpp>
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
+#include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/allan/integrated_signal.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
@@ -205,7 +205,7 @@ class Identification {
 template <typename Scalar>
 [[nodiscard]] NoiseEstimates<Scalar> identify(const IntegratedSignal<Scalar>& signal,
                                               const IdentifyOptions<Scalar>& options = {}) {
-  return detail::Identification<Scalar>({detail::DifferenceSpectrum<Scalar>(signal)}, options).estimates();
+  return detail::Identification<Scalar>({DifferenceSpectrum<Scalar>(signal)}, options).estimates();
 }
 
 /// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
@@ -219,7 +219,7 @@ template <Signal S>
 /// ramp or warm-up; R and W are root mean squares over the axes. Throws std::invalid_argument for no axes, axes that
 /// differ in rate or number of samples, and options out of their range.
 template <typename Scalar>
-[[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<detail::DifferenceSpectrum<Scalar>>& axes,
+[[nodiscard]] NoiseEstimates<Scalar> identify_pooled(const std::vector<DifferenceSpectrum<Scalar>>& axes,
                                                      const IdentifyOptions<Scalar>& options = {}) {
   if (axes.empty()) splinertia::detail::refuse<std::invalid_argument>("identify_pooled: no axes");
   for (const auto& axis : axes) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdint>
-#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/averaging_factors.hpp>
 #include <splinertia/allan/detail/difference_sums.hpp>
 #include <vector>
 

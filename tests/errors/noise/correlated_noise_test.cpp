@@ -16,7 +16,7 @@ const Eigen::Matrix3d R{{1, 0.5, -0.25}, {0.5, 1, 0}, {-0.25, 0, 1}};
 TEMPLATE_TEST_CASE("The covariance of the axes is N_i N_j R_ij/dt, white from sample to sample", "", float, double) {
   using Scalar = TestType;
   const double N[] = {0.1, 0.2, 3};
-  const ErrorModel model{CorrelatedNoise{per_axis<Scalar>(N), Matrix3<Scalar>(R.cast<Scalar>())}};
+  const ErrorModel model{CorrelatedNoise{per_axis<Scalar>(N), Eigen::Matrix3<Scalar>(R.cast<Scalar>())}};
   const Record errors = record<Scalar>(model, regular(200), 5);
   CHECK(errors.no_bias);
   const auto n = static_cast<double>(million);

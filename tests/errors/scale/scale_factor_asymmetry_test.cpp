@@ -9,7 +9,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The slope is 1 + a/2 for positive readings and 1 - a/2 for negative ones", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const ScaleFactorAsymmetry term{PerAxis<TestType>(TestType(0.5), TestType(0.5), TestType(-1))};
   const auto sample = applied(term, sample_with<TestType>(Vector(4, -4, 4), Vector(8, 8, 8)));
   CHECK(sample.value == Vector(5, -3, 2));

@@ -13,7 +13,7 @@ using namespace splinertia;
 using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The square of the reading is added, and nothing to the bias", "", float, double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   const VibrationRectification term{PerAxis<TestType>(TestType(0.5), TestType(0.5), -1)};
   const auto sample = applied(term, sample_with<TestType>(Vector(4, -4, 1), Vector(8, 8, 8)));
   CHECK(sample.value == Vector(12, 4, 0));

@@ -10,7 +10,7 @@ using testing::applied, testing::sample_with;
 
 TEMPLATE_TEST_CASE("The square of the true specific force is added to the reading, and not to the bias", "", float,
                    double) {
-  using Vector = Vector3<TestType>;
+  using Vector = Eigen::Vector3<TestType>;
   auto sample = sample_with<TestType>(Vector(1, 2, 3), Vector(4, 5, 6));
   sample.truth = {Vector(7, 7, 7), Vector(1, -2, 4)};
   sample = applied(GSquaredSensitivity{PerAxis<TestType>(1, TestType(0.5), -1)}, sample);

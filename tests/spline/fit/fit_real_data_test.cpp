@@ -170,7 +170,7 @@ TEST_CASE("EuRoC MH_05: Cauchy's tells them too, and the fit turns and accelerat
 
 /// The RMS of the noise of each component, if it is white: sixth differences, over the root of the 924 that their
 /// squares sum up to. Motion slower than a sixth of the rate leaves next to nothing in them.
-Tangent<Split> noise_of(const std::vector<Stamped<Split>>& poses) {
+Tangent<Split> pose_noise(const std::vector<Stamped<Split>>& poses) {
   constexpr std::array<double, 7> binomials{1, -6, 15, -20, 15, -6, 1};
   Tangent<Split> squares = Tangent<Split>::Zero();
   for (std::size_t i = 3; i + 3 < poses.size(); ++i) {
@@ -190,7 +190,7 @@ TEST_CASE("Ground truth of motion capture is met to its noise", "[.real_data]") 
     const auto fitted = fit<Curve>(poses, {.knot_interval = knot_interval});
     CHECK(fitted.converged);
     CHECK(fitted.gaps.size() == gaps);
-    const Tangent<Split> noise = noise_of(poses), rms = fitted.residuals.component_rms;
+    const Tangent<Split> noise = pose_noise(poses), rms = fitted.residuals.component_rms;
     for (int i = 0; i < rms.size(); ++i) {
       std::printf("%s, %g s: %s %d: residuals %.3g, noise %.3g RMS\n", file, knot_interval,
                   i < 3 ? "rotation [rad]" : "position [m]", i % 3, rms[i], noise[i]);

@@ -177,7 +177,7 @@ void place_knots(const PosesOf<Curve>& data, const FitChoices& o, FitOptions<Cur
 template <Pose G, int Order>
 FittedTrajectory fit_uniform(const FitInput& input, const FitChoices& o, const FitImu* imu) {
   using Curve = Spline<G, Order, UniformKnots<nanoseconds>>;
-  const auto data = about(input.file, "", [&] { return fit_data<Curve>(input.poses, "poses"); });
+  const auto data = about(input.file, "", [&] { return convert_poses<Curve>(input.poses, "poses"); });
   FitOptions<Curve> options = fit_options<Curve>(o);
   FittedTrajectory result;
   std::optional<Fit<Curve>> fitted;
@@ -209,7 +209,7 @@ FittedTrajectory fit_nonuniform(const FitInput& input, const FitChoices& o, cons
   using Curve = Spline<G, Order, NonUniformKnots<nanoseconds>>;
   FittedTrajectory result;
   const Curve curve = about(input.file, "", [&]() -> Curve {
-    const auto data = fit_data<Curve>(input.poses, "poses");
+    const auto data = convert_poses<Curve>(input.poses, "poses");
     if constexpr (Order % 2 == 0) {
       if (o.interpolate) {
         const Stage stage("interpolating");

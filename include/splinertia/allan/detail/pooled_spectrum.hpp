@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <splinertia/allan/detail/difference_spectrum.hpp>
+#include <splinertia/allan/difference_spectrum.hpp>
 #include <vector>
 
 namespace splinertia::allan::detail {

@@ -15,7 +15,7 @@
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/imu/imu_sample.hpp>
-#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/detail/pose_between.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/spline/kinematics_jacobians.hpp>
 #include <stdexcept>

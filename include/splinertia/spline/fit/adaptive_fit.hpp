@@ -27,7 +27,7 @@ template <typename Curve, detail::StampedPoses Poses>
   using Scalar = typename Curve::Scalar;
   constexpr auto k = static_cast<std::ptrdiff_t>(Curve::order);
   detail::check_goal<G>("adaptive_fit", goal);
-  const auto data = detail::fit_data<Curve>(poses, "adaptive_fit");
+  const auto data = convert_poses<Curve>(poses, "adaptive_fit");
   if (!options.knot_interval && !options.knots && data.size() >= 2) {
     options.knot_interval =
         to_seconds<double>(data.back().time - data.front().time) / std::ceil(static_cast<double>(data.size()) / 256);

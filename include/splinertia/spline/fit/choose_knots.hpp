@@ -68,7 +68,7 @@ template <typename Curve, detail::StampedPoses Poses>
 [[nodiscard]] double coarsest_knot_interval(const Poses& poses, const Tangent<typename Curve::Group>& goal,
                                             FitOptions<Curve> options = {}) {
   detail::check_goal<typename Curve::Group>("coarsest_knot_interval", goal);
-  const auto data = detail::fit_data<Curve>(poses, "coarsest_knot_interval");
+  const auto data = convert_poses<Curve>(poses, "coarsest_knot_interval");
   options = detail::search_options<Curve>(std::move(options), data, goal);
   options.knots.reset();
   const double span = to_seconds<double>(data.back().time - data.front().time);
@@ -121,7 +121,7 @@ template <typename Curve, detail::StampedPoses Poses>
                                                             double tolerance = 0.02) {
   using Scalar = typename Curve::Scalar;
   constexpr std::size_t every = 4;
-  const auto data = detail::fit_data<Curve>(poses, "cross_validated_knot_interval");
+  const auto data = convert_poses<Curve>(poses, "cross_validated_knot_interval");
   options = detail::search_options<Curve>(std::move(options), data, {});
   options.knots.reset();
   const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;

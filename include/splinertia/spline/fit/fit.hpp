@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <ranges>
-#include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/detail/fit_problem.hpp>
+#include <splinertia/spline/fit/detail/pose_between.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <utility>

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/spline/fit/convert_poses.hpp>
 #include <splinertia/spline/fit/curve_ends.hpp>
 #include <splinertia/spline/fit/detail/curve_model.hpp>
-#include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/detail/fit_residuals.hpp>
 #include <splinertia/spline/fit/detail/knots_over.hpp>
 #include <splinertia/spline/fit/detail/least_squares.hpp>
@@ -75,7 +75,7 @@ template <typename Curve, detail::StampedPoses Poses>
   static_assert(Curve::order >= 4 && Curve::order % 2 == 0, "interpolate() needs a curve of even order, at least 4");
   using G = typename Curve::Group;
   using Scalar = typename Curve::Scalar;
-  const auto data = detail::fit_data<Curve>(poses, "interpolate");
+  const auto data = convert_poses<Curve>(poses, "interpolate");
   const std::size_t least = ends.condition == EndCondition::not_a_knot ? Curve::order : 2;
   if (data.size() < least) {
     detail::refuse<std::invalid_argument>("interpolate: ", data.size(), " poses, expected at least ", least);

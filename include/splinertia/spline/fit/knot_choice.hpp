@@ -15,7 +15,7 @@
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/group/tangent_units.hpp>
 #include <splinertia/spline/fit/detail/pose_breaks.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
 
@@ -106,7 +106,7 @@ struct KnotChoice {
   KnotLimit limit;
   double pose_interval;  ///< s, the median
   double unambiguous;    ///< s: in longer intervals the poses turn by more than 120°
-  Tangent<G> noise;      ///< standard deviation of a pose, of each component (noise_of)
+  Tangent<G> noise;      ///< standard deviation of a pose, of each component (pose_noise)
 };
 
 /// The longest interval in which poses turn by less than 120°, s; infinity if they do not turn. A single jump does not
@@ -159,7 +159,7 @@ struct SplineErrors {
 template <LieGroup G, TimePoint Time>
 [[nodiscard]] detail::KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = to_seconds<double>(poses.back().time - poses.front().time);
-  detail::KnotChoice<G> choice{0, KnotLimit::length, detail::median_interval(poses), 0, detail::noise_of(poses)};
+  detail::KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, pose_noise(poses)};
   const auto good = [&](double h, const detail::MotionAtScale<G>& motion) {
     const double poses_to_a_knot = h / choice.pose_interval;
     bool all = true;

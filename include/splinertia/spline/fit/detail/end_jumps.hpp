@@ -6,7 +6,7 @@
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/spline/fit/detail/pose_breaks.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/spline/fit/pose_statistics.hpp>
 #include <utility>
 #include <vector>
 

@@ -6,20 +6,20 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <splinertia/spline/fit/convert_poses.hpp>
 #include <splinertia/spline/fit/detail/banded_system.hpp>
 #include <splinertia/spline/fit/detail/curve_model.hpp>
 #include <splinertia/spline/fit/detail/data_support.hpp>
 #include <splinertia/spline/fit/detail/end_jumps.hpp>
-#include <splinertia/spline/fit/detail/fit_data.hpp>
 #include <splinertia/spline/fit/detail/fit_residuals.hpp>
 #include <splinertia/spline/fit/detail/gap_regularization.hpp>
 #include <splinertia/spline/fit/detail/knots_over.hpp>
 #include <splinertia/spline/fit/detail/least_squares.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
 #include <splinertia/spline/fit/detail/pose_term.hpp>
 #include <splinertia/spline/fit/detail/smoothness.hpp>
 #include <splinertia/spline/fit/detail/unmeasured_spans.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
+#include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/spline/spline.hpp>
 #include <utility>
 #include <vector>
@@ -38,7 +38,7 @@ class FitProblem {
   /// fit() does.
   template <StampedPoses Poses>
   FitProblem(const Poses& poses, FitOptions<Curve> options)
-      : options_(std::move(options)), data_(fit_data<Curve>(poses, "fit")), fit_{first_curve()} {
+      : options_(std::move(options)), data_(convert_poses<Curve>(poses, "fit")), fit_{first_curve()} {
     if (!options_.loss.is_squares()) leave_out_wrong_ends();
     const std::size_t control_points = fit_.spline.control_points().size();
     const auto undetermined = undetermined_control_points<Curve>(fit_.spline.knots(), control_points, data_, counts());
@@ -177,7 +177,7 @@ class FitProblem {
                                                      share * (extent > Scalar(0) ? extent : Scalar(1)));
     // With nearly as many control points as poses, the residuals are almost zero.
     if (taken_share_ < Scalar(3) / Scalar(4) || data_.size() < 3) return found;
-    return found.cwiseMax(noise_of(data_));
+    return found.cwiseMax(pose_noise(data_));
   }
 
   FitOptions<Curve> options_;

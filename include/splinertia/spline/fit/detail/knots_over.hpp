@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
-#include <splinertia/spline/fit/detail/fit_data.hpp>
+#include <splinertia/spline/fit/detail/pose_between.hpp>
 #include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/spline/nonuniform_knots.hpp>
 #include <splinertia/spline/uniform_knots.hpp>

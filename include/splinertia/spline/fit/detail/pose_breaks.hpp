@@ -7,7 +7,7 @@
 #include <limits>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
 

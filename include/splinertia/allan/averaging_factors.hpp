@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan::detail {
+namespace splinertia::allan {
 
 /// The averaging factors m of a curve, in samples. The averaging time is tau = m/rate.
 class AveragingFactors {
@@ -93,4 +93,4 @@ class AveragingFactors {
   std::vector<std::int64_t> given_;
 };
 
-}  // namespace splinertia::allan::detail
+}  // namespace splinertia::allan

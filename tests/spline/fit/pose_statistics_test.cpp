@@ -8,7 +8,7 @@
 #include <splinertia/group/pose.hpp>
 #include <splinertia/random/normal.hpp>
 #include <splinertia/random/random_stream.hpp>
-#include <splinertia/spline/fit/detail/pose_statistics.hpp>
+#include <splinertia/spline/fit/pose_statistics.hpp>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("The noise of a smooth motion is found", "[group]", Number, E
   // higher.
   const double bound = 4 * 0.033;
   for (const double noise : {1e-4, 1e-2}) {
-    const Tangent<G> found = noise_of(smooth_motion<G>(4000, noise, 3));
+    const Tangent<G> found = pose_noise(smooth_motion<G>(4000, noise, 3));
     for (const auto& component : found) CHECK_THAT(double{component}, WithinRel(noise, bound));
   }
 }
@@ -133,19 +133,20 @@ TEST_CASE("A motion that is not smooth raises the noise, and gross outliers do n
   auto poses = smooth_motion<SO3xR3<double>>(4000, 1e-3, 5);
   for (std::size_t i = 20; i < poses.size(); i += 40)
     poses[i].value.get<1>().x() += 3;  // 17 % of the residuals see one
-  const auto found = noise_of(poses);
+  const auto found = pose_noise(poses);
   CHECK(found.minCoeff() > 1e-3 * (1 - 4 * 0.033));
   CHECK(found.maxCoeff() < 1e-3 * 1.5);  // the median of the 83 % that do not: the 60 % point of all, 1.25 σ
   // A vibration of 40 Hz at 100 Hz: no polynomial follows it.
   for (std::size_t i = 0; i < poses.size(); ++i)
     poses[i].value.get<1>().y() += 0.1 * std::sin(2 * M_PI * 40 * poses[i].time);
-  CHECK(noise_of(poses)[4] > 0.03);
+  CHECK(pose_noise(poses)[4] > 0.03);
 }
 
 TEST_CASE("Few poses") {
   const auto line = [](double t) { return 2 * t; };
-  CHECK(std::isinf(noise_of(values({0, 1}, line))[0]));  // nothing shows any
-  CHECK(noise_of(values({0, 1, 2}, line))[0] == 0);
-  CHECK_THAT(noise_of(values({0, 1, 2}, [](double t) { return t * t; }))[0], WithinRel(1.4826 / std::sqrt(1.5), 1e-6));
-  CHECK(noise_of(values({0, 1, 2, 3, 4, 5, 6, 7}, [](double) { return 1; }))[0] == 0);
+  CHECK(std::isinf(pose_noise(values({0, 1}, line))[0]));  // nothing shows any
+  CHECK(pose_noise(values({0, 1, 2}, line))[0] == 0);
+  CHECK_THAT(pose_noise(values({0, 1, 2}, [](double t) { return t * t; }))[0],
+             WithinRel(1.4826 / std::sqrt(1.5), 1e-6));
+  CHECK(pose_noise(values({0, 1, 2, 3, 4, 5, 6, 7}, [](double) { return 1; }))[0] == 0);
 }

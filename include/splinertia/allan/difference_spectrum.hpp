@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace splinertia::allan::detail {
+namespace splinertia::allan {
+
+namespace detail {
 
 /// The largest length ≤ n with no prime factor above 13, for a fast Fourier transform: it leaves out 0.1 % of a log on
 /// average. n itself up to 1024.
@@ -52,6 +54,8 @@ template <typename Scalar>
   return b;
 }
 
+}  // namespace detail
+
 /// The sine transform b_k of a signal's differences y_{i+1} − y_i. For white noise and random walk the b_k are exactly
 /// independent: the covariance of the differences is q·1 + r·tridiag(−1, 2, −1), whose eigenvectors are these sines.
 /// b_k has the mean square Σ_term coefficient·basis_k(term). A ramp with slope c per sample adds the mean c·w_k.
@@ -76,12 +80,12 @@ class DifferenceSpectrum {
 
   /// Time O(n log n), temporary memory 8n scalars.
   explicit DifferenceSpectrum(const IntegratedSignal<Scalar>& signal) : rate_(signal.rate()), unit_(signal.unit()) {
-    const auto n = static_cast<std::size_t>(transform_length(signal.samples()));
+    const auto n = static_cast<std::size_t>(detail::transform_length(signal.samples()));
     samples_ = static_cast<std::int64_t>(n);
     std::vector<Scalar> differences(n - 1);
     const auto& x = signal.sums();
     for (std::size_t i = 0; i + 1 < n; ++i) differences[i] = (x[i + 2] - x[i + 1]) - (x[i + 1] - x[i]);
-    const auto b = sine_transform(differences);
+    const auto b = detail::sine_transform(differences);
     const Scalar per_sine = std::numbers::pi_v<Scalar> / (2 * static_cast<Scalar>(n));
     const Scalar ramp_scale = std::sqrt(2 / static_cast<Scalar>(n));
     for (std::size_t k = 1; k < n;) {
@@ -124,4 +128,4 @@ class DifferenceSpectrum {
   std::vector<Bin> bins_;
 };
 
-}  // namespace splinertia::allan::detail
+}  // namespace splinertia::allan

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <splinertia/allan/detail/averaging_factors.hpp>
+#include <splinertia/allan/averaging_factors.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 #include "support/catch.hpp"
 #include "support/message_of.hpp"
 
-using splinertia::allan::detail::AveragingFactors;
+using splinertia::allan::AveragingFactors;
 using splinertia::testing::message_of;
 using Factors = std::vector<std::int64_t>;
 

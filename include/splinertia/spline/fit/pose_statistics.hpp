@@ -12,7 +12,7 @@
 #include <splinertia/time.hpp>
 #include <vector>
 
-namespace splinertia::detail {
+namespace splinertia {
 
 /// The median interval between neighbouring poses, s. Requires at least two poses.
 template <LieGroup G, TimePoint Time>
@@ -24,6 +24,8 @@ template <LieGroup G, TimePoint Time>
   std::nth_element(intervals.begin(), middle, intervals.end());
   return *middle;
 }
+
+namespace detail {
 
 /// The residual of a pose against the polynomial through its neighbours.
 template <LieGroup G>
@@ -72,13 +74,15 @@ template <LieGroup G, TimePoint Time, std::size_t N>
   return result;
 }
 
+}  // namespace detail
+
 /// The standard deviation of a pose, per component, from its residuals against the polynomials through its nearest two,
 /// four and six neighbours: the smallest of the three values of 1.4826 · median(|residual|/amplification). It is
 /// correct for white noise if the motion between neighbours is smooth compared with the noise, and otherwise an upper
 /// bound. If the median is almost zero, poses repeat or are rounded; the 80th percentile over 1.2816 is used instead.
 /// Infinite for fewer than three poses.
 template <LieGroup G, TimePoint Time>
-[[nodiscard]] Tangent<G> noise_of(const std::vector<Stamped<G, Time>>& poses) {
+[[nodiscard]] Tangent<G> pose_noise(const std::vector<Stamped<G, Time>>& poses) {
   using std::abs;
   using Scalar = ScalarOf<G>;
   constexpr Scalar normal = Scalar(1.4826f);
@@ -89,7 +93,7 @@ template <LieGroup G, TimePoint Time>
     for (std::size_t i = 0; i + N <= poses.size(); ++i) {
       std::array<std::size_t, N> indices;
       for (std::size_t j = 0; j < N; ++j) indices[j] = i + j;
-      const auto [residual, amplification, acceleration] = neighbour_residual(poses, indices);
+      const auto [residual, amplification, acceleration] = detail::neighbour_residual(poses, indices);
       for (std::size_t row = 0; row < magnitudes.size(); ++row) {
         magnitudes[row].push_back(abs(residual[static_cast<Eigen::Index>(row)]) / amplification);
       }
@@ -112,4 +116,4 @@ template <LieGroup G, TimePoint Time>
   return least;
 }
 
-}  // namespace splinertia::detail
+}  // namespace splinertia

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <splinertia/allan/detail/difference_spectrum.hpp>
+#include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
 #include <vector>
 
