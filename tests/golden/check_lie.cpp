@@ -81,20 +81,6 @@ void check_coefficients(const Row& row, Report& report) {
   }
 }
 
-/// Σ_c |φ_c ∂J/∂φ_c|, the largest component, of a table's derivative: 9 entries for each of phi's three components.
-template <typename Scalar>
-[[nodiscard]] long double angle_condition(const Eigen::Matrix<Scalar, 3, 1>& phi, const Numbers& derivative) {
-  long double largest = 0;
-  for (std::size_t entry = 0; entry < 9; ++entry) {
-    long double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      sum += std::abs(static_cast<long double>(phi[static_cast<Eigen::Index>(c)]) * derivative.at(9 * c + entry));
-    }
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}
-
 template <typename Scalar>
 void check_exp(const Row& row, Grader<Scalar>& grader, const Eigen::Matrix<Scalar, 3, 1>& phi) {
   const auto theta = static_cast<long double>(phi.norm());
@@ -131,7 +117,7 @@ void check_so3_lie_row(const Row& row, Report& report) {
   check_exp<Scalar>(row, grader, phi);
   const bool beyond = static_cast<long double>(phi.norm()) > pi;
   const auto jacobian = [&](const char* name, const char* derivative, const auto& got) {
-    const long double cond = angle_condition<Scalar>(phi, row.outputs(derivative));
+    const long double cond = entry_condition(phi, row.outputs(derivative));
     grader.check(name, flat(got), row.outputs(name), {beyond ? cond : 0, cond});
   };
   jacobian("Jl", "dJl", splinertia::detail::rotation_left_jacobian<Scalar>(phi));

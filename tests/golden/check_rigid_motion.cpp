@@ -20,20 +20,6 @@ using Tau = Eigen::Matrix<Scalar, 6, 1>;
 
 [[nodiscard]] long double norm3(const Numbers& v) { return std::hypot(std::hypot(v.at(0), v.at(1)), v.at(2)); }
 
-/// Σ_c |τ_c ∂Q/∂τ_c|, the largest component, of a table's derivative: 9 entries for each of six.
-template <typename Scalar>
-[[nodiscard]] long double tangent_condition(const Tau<Scalar>& tau, const Numbers& derivative) {
-  long double largest = 0;
-  for (std::size_t entry = 0; entry < 9; ++entry) {
-    long double sum = 0;
-    for (std::size_t c = 0; c < 6; ++c) {
-      sum += std::abs(static_cast<long double>(tau[static_cast<Eigen::Index>(c)]) * derivative.at(9 * c + entry));
-    }
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}
-
 /// log(exp(τ)): the roundings of exp's translation, |t| ≤ |ρ|, and of its quaternion are in it beside log's own.
 template <typename Scalar>
 void check_log_of_exp(const Row& row, Grader<Scalar>& grader, const Sophus::SE3<Scalar>& T, long double rho,
@@ -81,7 +67,7 @@ void check_se3_lie_row(const Row& row, Report& report) {
 
   using Square = splinertia::Jacobian<Sophus::SE3<Scalar>>;
   const auto block = [&](const char* name, const char* derivative, const Square& J) {
-    const long double cond = tangent_condition<Scalar>(tau, row.outputs(derivative));
+    const long double cond = entry_condition(tau, row.outputs(derivative));
     grader.check(name, flat(J.template topRightCorner<3, 3>()), row.outputs(name), {beyond ? cond : 0, cond});
   };
   block("Ql", "dQl", Traits<Scalar>::left_jacobian(tau));

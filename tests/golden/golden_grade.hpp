@@ -106,6 +106,21 @@ using Numbers = std::vector<long double>;
   return largest;
 }
 
+/// Σ_c |τ_c ∂M/∂τ_c|, the largest entry, of a 3×3 matrix M(τ). A table's derivative has M's 9 entries for each component
+/// of τ.
+template <typename Derived>
+[[nodiscard]] long double entry_condition(const Eigen::MatrixBase<Derived>& tau, const Numbers& derivative) {
+  long double largest = 0;
+  for (std::size_t entry = 0; entry < 9; ++entry) {
+    long double sum = 0;
+    for (Eigen::Index c = 0; c < tau.size(); ++c) {
+      sum += std::abs(static_cast<long double>(tau[c]) * derivative.at(9 * static_cast<std::size_t>(c) + entry));
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
 /// Errors below this are underflow: intermediate products have left the range of the type (double: README.md).
 template <typename Scalar>
 inline constexpr long double underflow_floor =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/derivatives.hpp"
 #include "support/random_group.hpp"
 
 using namespace splinertia;
@@ -31,12 +32,8 @@ void check_against_differences() {
   for (std::size_t i = 0; i < Order; ++i) {
     for (Eigen::Index k = 0; k < DofOf<G>; ++k) {
       INFO("control point " << i << ", direction " << k);
-      const G kept = points[i];
-      points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * h));
-      const auto plus = at();
-      points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * -h));
-      const auto minus = at();
-      points[i] = kept;
+      const auto sides = testing::both_sides(points, i, k, h, at);
+      const auto &minus = sides.first, &plus = sides.second;
       const auto difference = [&](const auto& f) { return Eigen::Vector3<Scalar>((f(plus) - f(minus)) / (2 * h)); };
       const auto omega = difference([](const auto& m) { return angular_velocity(m); });
       const auto alpha = difference([](const auto& m) { return angular_acceleration(m); });

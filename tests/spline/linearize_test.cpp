@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/derivatives.hpp"
 #include "support/random_group.hpp"
 
 using namespace splinertia;
@@ -61,12 +62,8 @@ void check_against_differences(double step) {
   const auto largest = [](const auto& v) { return v.template lpNorm<Eigen::Infinity>(); };
   for (std::size_t i = 0; i < Order; ++i) {
     for (Eigen::Index k = 0; k < DofOf<G>; ++k) {
-      const G kept = points[i];
-      points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * h));
-      const auto plus = at();
-      points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(k) * -h));
-      const auto minus = at();
-      points[i] = kept;
+      const auto sides = testing::both_sides(points, i, k, h, at);
+      const auto &minus = sides.first, &plus = sides.second;
       INFO("control point " << i << ", direction " << k);
       CHECK(largest(increment<G>(minus.value, plus.value) / (2 * h) - linear.value_jacobian[i].col(k)) < 1e-9);
       CHECK(largest((plus.velocity - minus.velocity) / (2 * h) - linear.velocity_jacobian[i].col(k)) < 1e-9);

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <splinertia/motion/motion.hpp>
+#include <utility>
+#include <vector>
 
 namespace splinertia::testing {
 
@@ -34,6 +37,19 @@ std::array<double, D> derivative_errors(const Curve& curve, double t, double h) 
     errors[2] = compare(m.jerk, [&](double s) { return curve.template evaluate<2>(s).acceleration; });
   }
   return errors;
+}
+
+/// f() with points[i] moved by −h and by +h along one direction of its tangent space. The points are unchanged after it.
+template <typename G>
+auto both_sides(std::vector<G>& points, std::size_t i, Eigen::Index direction, const ScalarOf<G>& h, const auto& f) {
+  const G kept = points[i];
+  const auto at = [&](const ScalarOf<G>& step) {
+    points[i] = GroupTraits<G>::compose(kept, GroupTraits<G>::exp(Tangent<G>::Unit(direction) * step));
+    return f();
+  };
+  const auto minus = at(-h), plus = at(h);
+  points[i] = kept;
+  return std::pair(minus, plus);
 }
 
 }  // namespace splinertia::testing

@@ -6,7 +6,7 @@
 
 namespace splinertia::allan {
 
-using namespace splinertia::detail;
+using namespace detail;
 
 /// P(X <= x), x >= 0.
 template <std::floating_point Scalar>
