@@ -133,9 +133,9 @@ allan::AveragingFactors factors_of(const std::string& text) {
   return allan::AveragingFactors::given(std::move(factors));
 }
 
-using Curve = allan::Curve<double>;
+using Curve = allan::DeviationCurve<double>;
 using Signal = allan::IntegratedSignal<double>;
-using Settings = allan::CurveOptions<double>;
+using Settings = allan::DeviationOptions<double>;
 const std::map<std::string, Curve (*)(const Signal&, const Settings&)> deviations{
     {"adev", allan::curve<allan::AllanDeviation, double>},
     {"oadev", allan::curve<allan::OverlappingAllanDeviation, double>},

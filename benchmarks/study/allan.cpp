@@ -127,7 +127,7 @@ struct Way {
 template <Deviation D>
 Way way(const Case& of, const Grid& grid) {
   const std::int64_t largest = D::largest_factor(static_cast<std::int64_t>(of.samples));
-  const CurveOptions<double> options{.factors = grid.factors(largest)};
+  const DeviationOptions<double> options{.factors = grid.factors(largest)};
   const auto make = [rate = of.rate, options](const Log& log) { return curve<D>(log, rate, options); };
   Way result{grid.name, std::string(D::name), options.factors.up_to(largest).size(),
              [make](const Log& log) { keep(make(log)); }};

@@ -37,7 +37,7 @@ TEST_CASE("Deviations allocate their results, and nothing in proportion to the l
     CHECK(count <= 30);
     CHECK(allocations_of([&] { result = deviations<D>(longer, factors); }) == count);
   });
-  Curve<double> result;
+  DeviationCurve<double> result;
   const std::size_t count = allocations_of(
       [&] { result = curve<OverlappingAllanDeviation>(signal, {.factors = AveragingFactors::given(factors)}); });
   CHECK(count <= 60);

@@ -93,7 +93,7 @@ TEMPLATE_TEST_CASE("What a curve says", "", double, long double) {
   using Scalar = TestType;
   const auto y = scaled(noisy_integers(10'000, 9810, 5, 0.02), Scalar(1) / 1000);
   const auto result = overlapping(y, 200);
-  STATIC_CHECK(std::same_as<decltype(result), const Curve<Scalar>>);
+  STATIC_CHECK(std::same_as<decltype(result), const DeviationCurve<Scalar>>);
   const IntegratedSignal<Scalar> signal(y, 200);
   CHECK(result.name == "oadev");
   CHECK(result.rate == 200);
@@ -207,7 +207,7 @@ TEST_CASE("Noise steeper than a deviation converges for has the degrees of the s
 
 TEST_CASE("Curves that cannot be are refused") {
   const std::vector<double> y{1, 2, 4, 3, 5};
-  const auto refusal = [&](const CurveOptions<double>& options) {
+  const auto refusal = [&](const DeviationOptions<double>& options) {
     return message_of([&] { return overlapping(y, 1.0, options); });
   };
   CHECK(refusal({.factors = AveragingFactors::given({3})}) ==

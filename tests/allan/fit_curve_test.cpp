@@ -23,9 +23,9 @@ using namespace splinertia::detail;
 
 /// Points without noise of coefficients in the order of standard_terms, an octave apart, as of a log of 2¹⁸ samples.
 template <typename Scalar>
-Curve<Scalar> model_curve(const std::vector<Scalar>& coefficients, Scalar rate) {
+DeviationCurve<Scalar> model_curve(const std::vector<Scalar>& coefficients, Scalar rate) {
   constexpr std::int64_t n = 1 << 18;
-  Curve<Scalar> curve{"oadev", rate, n, 0, one_sigma<Scalar>, {}};
+  DeviationCurve<Scalar> curve{"oadev", rate, n, 0, one_sigma<Scalar>, {}};
   for (const std::int64_t m : AveragingFactors::octave().up_to(n / 4)) {
     const Scalar tau = static_cast<Scalar>(m) / rate;
     Scalar variance = 0;
@@ -97,7 +97,7 @@ TEST_CASE("The standard errors of a curve's fit are those of simulated logs") {
     const auto y = simulated({.n = 8000, .rate = 50, .white = truth[0], .walk = truth[1], .seed = seed});
     for (const bool separate : {false, true}) {
       if (separate && seed > 5) continue;
-      const CurveOptions<double> options{.phase_model = PhaseModel::sampled};
+      const DeviationOptions<double> options{.phase_model = PhaseModel::sampled};
       const auto curve =
           separate ? splinertia::allan::curve<AllanDeviation>(y, 50, options) : overlapping(y, 50, options);
       const auto estimates = fit_curve(curve, {NoiseTerm::white, NoiseTerm::random_walk});

@@ -37,7 +37,7 @@ std::int64_t stride_of(std::int64_t m) { return std::max<std::int64_t>(1, m / 16
 
 /// The worst relative error of deviations whose terms are each m/16 samples, against exact integer arithmetic.
 template <typename Scalar>
-Scalar worst_error(const Curve<Scalar>& curve, const Integers& integers, Scalar unit) {
+Scalar worst_error(const DeviationCurve<Scalar>& curve, const Integers& integers, Scalar unit) {
   const Integers phase = phase_of(integers);
   Scalar worst = 0;
   for (const auto& point : curve.points) {

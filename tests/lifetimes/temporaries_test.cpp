@@ -47,7 +47,7 @@ TEST_CASE("A fit keeps its poses and options") {
 }
 
 TEST_CASE("A fit of an Allan curve needs that no longer") {
-  const allan::CurveFit<double> fit(allan::overlapping(signal(), 100.0));
+  const allan::DeviationFit<double> fit(allan::overlapping(signal(), 100.0));
   const std::vector<double> other(1000, 7.0);
   CHECK(fit.fit(allan::NoiseTerms::all()).theta.allFinite());
 }

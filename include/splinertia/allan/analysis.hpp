@@ -32,7 +32,7 @@ enum class Adequacy {
 /// A signal's curve and noise terms, and what is wrong with the signal.
 template <typename Scalar>
 struct Analysis {
-  Curve<Scalar> curve;  ///< overlapping Allan deviation
+  DeviationCurve<Scalar> curve;  ///< overlapping Allan deviation
   NoiseEstimates<Scalar> noise;
   std::vector<detail::DeviationMisfit<Scalar>> misfits{};  ///< where curve and noise terms disagree
   std::vector<Step> steps{};

@@ -24,7 +24,7 @@
 namespace splinertia::allan {
 
 template <typename Scalar>
-struct CurvePoint {
+struct DeviationPoint {
   std::int64_t factor;        ///< m, samples per average
   Scalar tau;                 ///< averaging time m/rate, s
   std::int64_t terms;         ///< number of squared differences averaged
@@ -35,17 +35,17 @@ struct CurvePoint {
 };
 
 template <typename Scalar>
-struct Curve {
+struct DeviationCurve {
   std::string name;      ///< adev, oadev …
   Scalar rate;           ///< Hz
   std::int64_t samples;  ///< of the rate signal
   Scalar mean;           ///< of the rate signal, in its unit
   Scalar confidence;     ///< of the intervals
-  std::vector<CurvePoint<Scalar>> points;
+  std::vector<DeviationPoint<Scalar>> points;
 };
 
 template <typename Scalar>
-struct CurveOptions {
+struct DeviationOptions {
   AveragingFactors factors = AveragingFactors::logarithmic();
   Scalar confidence = detail::one_sigma<Scalar>;
   std::optional<int> alpha{};  ///< use this power law for all points instead of identifying it
@@ -74,11 +74,12 @@ inline constexpr int steepest_power_law = 2 - 2 * D::differences;
 /// The curve of one kind of deviation (deviations.hpp) of a signal. Throws std::invalid_argument for a factor that is
 /// outside the data and a confidence not between 0 and 1.
 template <Deviation D, typename Scalar>
-[[nodiscard]] Curve<Scalar> curve(const IntegratedSignal<Scalar>& signal, const CurveOptions<Scalar>& options = {}) {
+[[nodiscard]] DeviationCurve<Scalar> curve(const IntegratedSignal<Scalar>& signal,
+                                           const DeviationOptions<Scalar>& options = {}) {
   const std::int64_t n = signal.samples();
   const auto factors = options.factors.up_to(D::largest_factor(n));
   const auto values = deviations<D>(signal, factors);
-  Curve<Scalar> result{std::string(D::name), signal.rate(), n, signal.mean(), options.confidence, {}};
+  DeviationCurve<Scalar> result{std::string(D::name), signal.rate(), n, signal.mean(), options.confidence, {}};
   result.points.reserve(factors.size());
   for (std::size_t j = 0; j < factors.size(); ++j) {
     const std::int64_t m = factors[j];
@@ -93,15 +94,15 @@ template <Deviation D, typename Scalar>
 
 /// The same for a rate signal at `rate` Hz. Also throws what IntegratedSignal throws.
 template <Deviation D, Signal S>
-[[nodiscard]] Curve<detail::ScalarOfSignal<S>> curve(const S& signal, detail::ScalarOfSignal<S> rate,
-                                                     const CurveOptions<detail::ScalarOfSignal<S>>& options = {}) {
+[[nodiscard]] DeviationCurve<detail::ScalarOfSignal<S>> curve(
+    const S& signal, detail::ScalarOfSignal<S> rate, const DeviationOptions<detail::ScalarOfSignal<S>>& options = {}) {
   return curve<D>(IntegratedSignal<detail::ScalarOfSignal<S>>(signal, rate), options);
 }
 
 /// The curve of the overlapping Allan deviation, the recommended one.
 template <Signal S>
-[[nodiscard]] Curve<detail::ScalarOfSignal<S>> overlapping(
-    const S& signal, detail::ScalarOfSignal<S> rate, const CurveOptions<detail::ScalarOfSignal<S>>& options = {}) {
+[[nodiscard]] DeviationCurve<detail::ScalarOfSignal<S>> overlapping(
+    const S& signal, detail::ScalarOfSignal<S> rate, const DeviationOptions<detail::ScalarOfSignal<S>>& options = {}) {
   return curve<OverlappingAllanDeviation>(signal, rate, options);
 }
 

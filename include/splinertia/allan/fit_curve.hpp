@@ -26,13 +26,13 @@ namespace splinertia::allan {
 /// are low by chance, which reduces K by a quarter. Neighbouring points are correlated. The correlations follow from
 /// the model's spectrum and enter the standard errors, not the weights.
 template <typename Scalar>
-class CurveFit {
+class DeviationFit {
  public:
   static constexpr int size = 5;
   using Vector = Eigen::Matrix<Scalar, size, 1>;
   using Matrix = Eigen::Matrix<Scalar, size, size>;
 
-  explicit CurveFit(const Curve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
+  explicit DeviationFit(const DeviationCurve<Scalar>& curve) : rate_(curve.rate), unit_(0), longest_(0) {
     if (curve.name != "adev" && curve.name != "oadev") {
       splinertia::detail::refuse<std::invalid_argument>("fit_curve: the curve's name is ", curve.name,
                                                         ", expected adev or oadev");
@@ -186,14 +186,15 @@ class CurveFit {
 /// than adev or oadev, fewer than two points, values in it that are not finite or out of range, no deviation above
 /// zero, no candidates, and a confidence not between 0 and 1.
 template <typename Scalar>
-[[nodiscard]] NoiseEstimates<Scalar> fit_curve(const Curve<Scalar>& curve, NoiseTerms candidates = NoiseTerms::all(),
+[[nodiscard]] NoiseEstimates<Scalar> fit_curve(const DeviationCurve<Scalar>& curve,
+                                               NoiseTerms candidates = NoiseTerms::all(),
                                                Scalar confidence = Scalar(95) / 100) {
   splinertia::detail::require(confidence > 0 && confidence < 1, "fit_curve", "confidence", confidence,
                               "a number between 0 and 1");
   for (const NoiseTerm term : {NoiseTerm::gauss_markov, NoiseTerm::warm_up}) candidates = candidates.without(term);
   if (candidates.empty())
     splinertia::detail::refuse<std::invalid_argument>("fit_curve: no candidates, expected a noise term");
-  const CurveFit<Scalar> fit(curve);
+  const DeviationFit<Scalar> fit(curve);
   const Scalar detection =
       std::sqrt(detail::chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
   NoiseTerms model = candidates;

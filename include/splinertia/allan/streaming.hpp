@@ -134,8 +134,9 @@ class StreamingAllanDeviation {
 
   /// The curve of the samples so far; for the parameters see CurveOptions. Omits factors that have no term yet. Throws
   /// std::invalid_argument for fewer than 3 samples, a constant signal, and parameters out of range.
-  [[nodiscard]] Curve<Scalar> curve(Scalar confidence = detail::one_sigma<Scalar>, std::optional<int> alpha = {},
-                                    detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley) const {
+  [[nodiscard]] DeviationCurve<Scalar> curve(
+      Scalar confidence = detail::one_sigma<Scalar>, std::optional<int> alpha = {},
+      detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley) const {
     using Deviation = OverlappingAllanDeviation;
     if (samples_ < 3) {
       splinertia::detail::refuse<std::invalid_argument>("Allan analysis: ", samples_, " values, expected at least 3");
@@ -145,7 +146,7 @@ class StreamingAllanDeviation {
                                                         "): a sensor that is stuck, or no noise at all");
     }
     const Scalar mean = *offset_ + sum_.value() / static_cast<Scalar>(samples_);
-    Curve<Scalar> result{std::string(Deviation::name), rate_, samples_, mean, confidence, {}};
+    DeviationCurve<Scalar> result{std::string(Deviation::name), rate_, samples_, mean, confidence, {}};
     int identified = 0;
     for (std::size_t octave = 0; octave < octaves(); ++octave) {
       const std::int64_t m = std::int64_t{1} << octave, stride = std::max<std::int64_t>(1, m / window);

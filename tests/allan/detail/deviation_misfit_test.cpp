@@ -18,7 +18,7 @@ namespace {
 
 using namespace splinertia::detail;
 
-using Curve = splinertia::allan::Curve<double>;
+using Curve = splinertia::allan::DeviationCurve<double>;
 using Estimates = NoiseEstimates<double>;
 constexpr std::size_t size = 20'000;
 constexpr double rate = 50, duration = size / rate;

@@ -63,7 +63,7 @@ struct DeviationComparison {
 
 /// Compares a point of the curve of a signal with the noise estimates of the same signal.
 template <typename Scalar>
-[[nodiscard]] DeviationComparison<Scalar> compare_deviation(const CurvePoint<Scalar>& point, std::int64_t samples,
+[[nodiscard]] DeviationComparison<Scalar> compare_deviation(const DeviationPoint<Scalar>& point, std::int64_t samples,
                                                             const NoiseEstimates<Scalar>& noise) {
   const auto& description = noise.descriptions.front();
   const Scalar model =
@@ -80,7 +80,7 @@ template <typename Scalar>
 /// deviations. Points with the same sign within an octave of each other are one misfit. The curve and the estimates are
 /// of the same signal.
 template <typename Scalar>
-[[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const Curve<Scalar>& curve,
+[[nodiscard]] std::vector<DeviationMisfit<Scalar>> deviation_misfits(const DeviationCurve<Scalar>& curve,
                                                                      const NoiseEstimates<Scalar>& noise) {
   constexpr int most_off = 4;
   std::vector<DeviationMisfit<Scalar>> misfits;
