@@ -49,9 +49,9 @@ TEST_CASE("MPU-6050") {
   // 0.005 °/s/√Hz, one-sided: 0.005·0.0174533/1.414214; 400 µg/√Hz: 400e-6·9.80665/1.414214.
   CHECK_THAT(term<WhiteNoise<double>>(gyro).density[2], WithinRel(6.17067e-5, 1e-5));
   CHECK_THAT(term<WhiteNoise<double>>(accel).density[2], WithinRel(2.773740e-3, 1e-5));
-  CHECK_THAT(term<TurnOnBias<double>>(gyro).standard_deviation[0], WithinRel(0.116355, 1e-5));      // 20 °/s / 3
-  CHECK_THAT(term<TurnOnBias<double, 3>>(accel).standard_deviation[0], WithinRel(0.163444, 1e-5));  // 50 mg / 3
-  CHECK_THAT(term<TurnOnBias<double, 3>>(accel).standard_deviation[2], WithinRel(0.261511, 1e-5));  // 80 mg / 3
+  CHECK_THAT(term<TurnOnBias<double>>(gyro).standard_deviation[0], WithinRel(0.116355, 1e-5));        // 20 °/s / 3
+  CHECK_THAT((term<TurnOnBias<double, 3>>(accel).standard_deviation[0]), WithinRel(0.163444, 1e-5));  // 50 mg / 3
+  CHECK_THAT((term<TurnOnBias<double, 3>>(accel).standard_deviation[2]), WithinRel(0.261511, 1e-5));  // 80 mg / 3
   CHECK_THAT(term<Quantization<double>>(gyro).least_significant_bit[0], WithinRel(1.064225e-3, 1e-5));
   CHECK_THAT(term<Quantization<double>>(accel).least_significant_bit[0], WithinRel(4.788403e-3, 1e-5));
   CHECK_THAT(term<Saturation<double>>(gyro).limit[0], WithinRel(34.906585, 1e-7));
