@@ -264,7 +264,7 @@ template <typename G>
 struct Mounted {
   Cubic<G> curve;
   Vector gravity;
-  Mounting<double> arm;
+  Mounting<double> mounting;
 };
 
 // Integration by hand: what the body does in a step, and what that makes of a state.
