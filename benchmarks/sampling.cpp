@@ -83,7 +83,8 @@ void in_runs(std::size_t calls, const auto& f) {
 template <typename G, int Order, typename K = UniformKnots<double>>
 benchmark::Kernel dense_imu(const std::string& name) {
   using Scalar = ScalarOf<G>;
-  return {name, [curve = make_curve<G, Order, K>(), samples = std::make_shared<ImuSamples<G>>()](std::size_t calls) {
+  using Samples = ImuSamples<G, typename K::Time>;
+  return {name, [curve = make_curve<G, Order, K>(), samples = std::make_shared<Samples>()](std::size_t calls) {
             in_runs(calls, [&](std::size_t count) {
               sample_imu(*curve, at_1_kHz(*curve), 0, count, *samples, standard_gravity<Scalar>());
               benchmark::keep(*samples);

@@ -179,8 +179,8 @@ template <typename Curve>
 ///                                                        .accel_standard_deviation = 0.1});
 ///   imu.calibration.gyro_bias;  imu.standard_deviation.gyro_bias;  imu.gyro_rms;
 ///
-/// `samples` is any range of `time`, `gyro`, `accel` (ImuSampleLike), in ascending order. Samples inside the `gaps` of the
-/// curve are left out, because no data support the curve there. Throws std::invalid_argument for bad samples or
+/// `samples` is any range of `time`, `gyro`, `accel` (ImuSampleLike), in ascending order. Samples inside the `gaps` of
+/// the curve are left out, because no data support the curve there. Throws std::invalid_argument for bad samples or
 /// options, and if no sample is within the curve and outside its gaps.
 template <typename Curve, std::ranges::forward_range Samples>
   requires Pose<typename Curve::Group>

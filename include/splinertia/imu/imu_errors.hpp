@@ -15,7 +15,7 @@ namespace splinertia {
 /// simulate() does this along a motion; ImuErrors is for measurements from elsewhere, at any times. SensorErrors is for
 /// any other sensor.
 ///
-///   ImuErrors errors(imu, StreamKey(seed));    // of double and double seconds: ImuErrors<Imu, Scalar, Time> for others
+///   ImuErrors errors(imu, StreamKey(seed));    // over double seconds; others: ImuErrors<Sensors, Scalar, Time>
 ///   ImuReading reading;
 ///   if (errors.apply(time, ideal, interval, reading)) …
 template <typename Sensors, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256>

@@ -201,8 +201,9 @@ template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors
 ///
 ///   simulate(curve, imu, Mounting{R_BI, p_BI}, {.rate = 200, .seed = 42})
 ///
-/// The motion is that of the body, gyro and accel are in the IMU's axes (ideal_imu()). Several IMUs of one run share its
-/// seed and have different numbers `options.imu`. Also throws std::invalid_argument for a mounting that is not finite.
+/// The motion is that of the body, gyro and accel are in the IMU's axes (ideal_imu()). Several IMUs of one run share
+/// its seed and have different numbers `options.imu`. Also throws std::invalid_argument for a mounting that is not
+/// finite.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors, typename Scalar>
   requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group> &&
            std::same_as<Scalar, ScalarOf<typename std::remove_cvref_t<Motion>::Group>>)

@@ -127,7 +127,8 @@ class IncrementSimulation {
 ///
 /// without corrections for coning and sculling, which the schemes of coning_sculling.hpp make:
 ///
-///   integrate<TwoSampleIncrements>(nav_state(curve.evaluate<1>(t0), t0), simulate_increments(curve, imu, {.start = t0}))
+///   const auto initial = nav_state(curve.evaluate<1>(curve.start()), curve.start());
+///   integrate<TwoSampleIncrements>(initial, simulate_increments(curve, imu))
 ///
 /// Each increment is an ImuIncrement with the time at the end of its interval, and has gyro_bias, accel_bias and
 /// true_time. The integrals are exact but for 5.7e-10 (ωh)⁸ of the amplitude of a reading that oscillates with ω rad/s

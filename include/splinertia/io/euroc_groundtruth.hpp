@@ -20,8 +20,8 @@
 
 namespace splinertia {
 
-/// One row of 17 columns: the pose T_WB [m], velocity in W [m/s], biases in B [rad/s], [m/s²]. (EuRoC's R is W, its S is
-/// B.) A range of them is also one of poses, for fit(), associate(), write_tum() and others.
+/// One row of 17 columns: the pose T_WB [m], velocity in W [m/s], biases in B [rad/s], [m/s²]. (EuRoC's R is W, its S
+/// is B.) A range of them is also one of poses, for fit(), associate(), write_tum() and others.
 struct EurocState : Stamped<SO3xR3<double>> {
   Eigen::Vector3d velocity, gyro_bias, accel_bias;
 };

@@ -28,8 +28,8 @@ template <Pose G, int D, TimePoint Time>
   return {rotation(motion.value), world_velocity(motion), position(motion.value), time};
 }
 
-/// The state of an IMU that is mounted on the body: R_WB R_BI, v_WB + R_WB (ω × p_BI), p_WB + R_WB p_BI. It is where the
-/// integration of what the mounted IMU measures begins.
+/// The state of an IMU that is mounted on the body: R_WB R_BI, v_WB + R_WB (ω × p_BI), p_WB + R_WB p_BI. The
+/// integration of what this IMU measures begins there.
 template <Pose G, int D, TimePoint Time>
   requires(D >= 1)
 [[nodiscard]] NavState<ScalarOf<G>, Time> nav_state(const Motion<G, D>& motion, Time time,

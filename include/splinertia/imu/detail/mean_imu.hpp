@@ -24,8 +24,8 @@ concept HasSegments = requires(const C& curve, std::size_t s) {
 
 /// The means of what a perfect IMU measures over an interval, in its turning axes: ∫ω dt/h and ∫f dt/h.
 ///
-/// Gauss–Legendre quadrature with four nodes in each panel; panels end at the knots of a spline. Over a panel of length
-/// h, the mean of a reading f is wrong by at most 5.7e-10 h⁸ max|f⁽⁸⁾|. Hence for a reading that oscillates with ω rad/s
+/// Gauss–Legendre quadrature with four nodes in each panel; panels end at the knots of a spline. Over a panel of
+/// length h, the mean of a reading f is wrong by at most 5.7e-10 h⁸ max|f⁽⁸⁾|. Hence for a reading that oscillates with ω rad/s
 /// the error is at most 5.7e-10 (ωh)⁸ of the amplitude. Nodes at integer times are rounded symmetrically to the middle
 /// of the panel, so that the rounding of a reading of constant slope cancels.
 template <typename C, typename Mount>

@@ -20,8 +20,8 @@ namespace splinertia::detail {
 template <typename Scalar, TimePoint Time>
 class SampleClock {
  public:
-  /// `options`: SimulationOptions. Throws std::invalid_argument, in the name of the function `whose`, as simulate() does
-  /// for rate, start and end.
+  /// `options`: SimulationOptions. Throws std::invalid_argument, in the name of the function `whose`, as simulate()
+  /// does for rate, gravity, start and end.
   SampleClock(const char* whose, const auto& motion, const auto& options)
       : rate_(options.rate), start_(options.start.value_or(motion.start())), end_(options.end.value_or(motion.end())) {
     if (!(rate_ > 0 && is_finite(rate_))) {
