@@ -41,16 +41,6 @@ struct Options {
   std::filesystem::path csv;
 };
 
-/// A user-defined error term: a constant turn-on bias.
-struct TurnOnBias {
-  struct State {};
-  Eigen::Vector3d bias;
-  void apply(Sample<double>& sample, State&) const {
-    sample.value += bias;
-    sample.bias += bias;
-  }
-};
-
 /// Motion, biases and gravity: the true values, or an estimate of them.
 struct Estimate {
   UniformKnots<double> knots;
@@ -90,8 +80,8 @@ Estimate true_motion(const Options& o) {
 Measurements measure(const Estimate& truth, const Options& o) {
   const Curve curve = truth.curve();
   Measurements m;
-  const Imu imu{ErrorModel{TurnOnBias{truth.gyro_bias}, WhiteNoise{o.gyro_noise}},
-                ErrorModel{TurnOnBias{truth.accel_bias}, WhiteNoise{o.accel_noise}}};
+  const Imu imu{ErrorModel{ConstantBias{truth.gyro_bias}, WhiteNoise{o.gyro_noise}},
+                ErrorModel{ConstantBias{truth.accel_bias}, WhiteNoise{o.accel_noise}}};
   for (const ImuReading& r : simulate(curve, imu, {.rate = o.imu_rate, .seed = o.seed, .gravity = truth.gravity})) {
     m.imu.push_back(r);
   }
