@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <splinertia/adapters/ceres.hpp>
 #include <splinertia/io/atomic_file.hpp>
@@ -280,15 +281,16 @@ void check(const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Simulates noisy poses and an IMU with biases along a motion, and estimates from them, with Ceres, the control\n"
-      "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints their errors before and\n"
-      "after."};
-  Options options;
-  add_options(app, options);
-  return run_program("estimate_trajectory", app, argc, argv, [&] {
-    check(options);
-    run(options);
-  });
-}
+const Program this_program{
+    "estimate_trajectory",
+    "Simulates noisy poses and an IMU with biases along a motion, and estimates from them, with Ceres, the control\n"
+    "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints their errors before and\n"
+    "after.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      return [] {
+        check(options);
+        run(options);
+      };
+    }};
