@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A group of your own takes one specialisation of GroupTraits. This is Sim(2), the similarities of the plane: z -> a z +
-// b with complex a and b. docs/own_group.md explains it; with two Jacobians more it can also be fitted.
+// A group of your own takes one specialisation of GroupTraits. This is Sim(2), the similarities of the plane,
+// z -> a z + b with complex a and b. docs/own_group.md explains it. With two Jacobians it can also be fitted.
 
 #include <complex>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An integration scheme of your own is a type that turns neighbouring samples into the motion over a step. This one holds
-// the later of two samples; Euler's scheme holds the earlier.
+// An integration scheme of your own is a type that turns neighbouring samples into the motion over a step. This one
+// holds the later of two samples; Euler's scheme holds the earlier.
 
 #include <cstdio>
 #include <splinertia/imu/simulate.hpp>

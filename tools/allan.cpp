@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <splinertia/allan/curve.hpp>
@@ -266,20 +267,22 @@ void add_deviation_options(CLI::App& app, DeviationOptions& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Identifies the noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q "
-      "and\nrate ramp R of each axis, with confidence intervals, or upper limits for terms that are not detected. Also "
-      "writes\nthe Allan deviations, and files of N and K for estimators."};
-  Options options;
-  add_options(app, options);
-  DeviationOptions deviation_options;
-  CLI::App* deviation = app.add_subcommand("deviation", "Prints one kind of deviation of a column of numbers.");
-  add_deviation_options(*deviation, deviation_options);
-  return run_program("allan", app, argc, argv, [&] {
-    if (deviation->parsed() != options.log.empty()) {
-      throw std::invalid_argument("expected one log, or the subcommand deviation (--help)");
-    }
-    deviation->parsed() ? print_deviation(deviation_options) : analyse_log(options);
-  });
-}
+const Program this_program{
+    "allan",
+    "Identifies the noise of an IMU at rest: white noise N, random walk K, bias instability B, quantization noise Q "
+    "and\nrate ramp R of each axis, with confidence intervals, or upper limits for terms that are not detected. Also "
+    "writes\nthe Allan deviations, and files of N and K for estimators.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      static DeviationOptions deviation_options;
+      static CLI::App* const deviation =
+          app.add_subcommand("deviation", "Prints one kind of deviation of a column of numbers.");
+      add_deviation_options(*deviation, deviation_options);
+      return [] {
+        if (deviation->parsed() != options.log.empty()) {
+          throw std::invalid_argument("expected one log, or the subcommand deviation (--help)");
+        }
+        deviation->parsed() ? print_deviation(deviation_options) : analyse_log(options);
+      };
+    }};

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <splinertia/io/file_set.hpp>
 #include <stdexcept>
 #include <utility>
@@ -142,15 +143,16 @@ void check(const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Compares two trajectories and prints the statistics of absolute (ATE) and relative (RPE) errors, in metres and "
-      "degrees, as evo_ape and evo_rpe define them, and drift over lengths of path, as KITTI does.\n\n"
-      "Poses are paired with the nearest in time. --align aligns the estimate with the reference."};
-  Options options;
-  add_options(app, options);
-  return run_program("compare_trajectories", app, argc, argv, [&] {
-    check(options);
-    run(options);
-  });
-}
+const Program this_program{
+    "compare_trajectories",
+    "Compares two trajectories and prints the statistics of absolute (ATE) and relative (RPE) errors, in metres and "
+    "degrees, as evo_ape and evo_rpe define them, and drift over lengths of path, as KITTI does.\n\n"
+    "Poses are paired with the nearest in time. --align aligns the estimate with the reference.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      return [] {
+        check(options);
+        run(options);
+      };
+    }};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <splinertia/io/atomic_file.hpp>
@@ -255,18 +256,19 @@ CLI::Option* add_options(CLI::App& app, Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Integrates the IMU samples of a file over windows, each from the true state of a trajectory file, and prints "
-      "the errors at their ends.\n\n"
-      "Velocities are taken from the trajectory file if it has them (EuRoC ground truth with 17 columns), else from "
-      "its poses. Biases, gravity and the lever arm are taken from their options, else from the calibration file. "
-      "Without either, biases are those of the trajectory file at the beginning of each window, if it has them."};
-  Options options;
-  const CLI::Option* gravity = add_options(app, options);
-  return run_program("dead_reckon", app, argc, argv, [&] {
-    options.gravity_given = gravity->count() > 0;
-    check(options);
-    run(options);
-  });
-}
+const Program this_program{
+    "dead_reckon",
+    "Integrates the IMU samples of a file over windows, each from the true state of a trajectory file, and prints "
+    "the errors at their ends.\n\n"
+    "Velocities are taken from the trajectory file if it has them (EuRoC ground truth with 17 columns), else from "
+    "its poses. Biases, gravity and the lever arm are taken from their options, else from the calibration file. "
+    "Without either, biases are those of the trajectory file at the beginning of each window, if it has them.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      static const CLI::Option* const gravity = add_options(app, options);
+      return [] {
+        options.gravity_given = gravity->count() > 0;
+        check(options);
+        run(options);
+      };
+    }};

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <splinertia/adapters/ceres.hpp>
 #include <splinertia/io/atomic_file.hpp>
@@ -39,16 +40,6 @@ struct Options {
   std::uint64_t seed = 0;
   int iterations = 50;
   std::filesystem::path csv;
-};
-
-/// A user-defined error term: a constant turn-on bias.
-struct TurnOnBias {
-  struct State {};
-  Eigen::Vector3d bias;
-  void apply(SensorSample<double>& sample, State&) const {
-    sample.value += bias;
-    sample.bias += bias;
-  }
 };
 
 /// Motion, biases and gravity: the true values, or an estimate of them.
@@ -90,8 +81,8 @@ Estimate true_motion(const Options& o) {
 Measurements measure(const Estimate& truth, const Options& o) {
   const Curve curve = truth.curve();
   Measurements m;
-  const Imu imu{ErrorModel{TurnOnBias{truth.gyro_bias}, WhiteNoise{o.gyro_noise}},
-                ErrorModel{TurnOnBias{truth.accel_bias}, WhiteNoise{o.accel_noise}}};
+  const Imu imu{ErrorModel{ConstantBias{truth.gyro_bias}, WhiteNoise{o.gyro_noise}},
+                ErrorModel{ConstantBias{truth.accel_bias}, WhiteNoise{o.accel_noise}}};
   for (const ImuReading& r : simulate(curve, imu, {.rate = o.imu_rate, .seed = o.seed, .gravity = truth.gravity})) {
     m.imu.push_back(r);
   }
@@ -290,15 +281,16 @@ void check(const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Simulates noisy poses and an IMU with biases along a motion, and estimates from them, with Ceres, the control\n"
-      "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints their errors before and\n"
-      "after."};
-  Options options;
-  add_options(app, options);
-  return run_program("estimate_trajectory", app, argc, argv, [&] {
-    check(options);
-    run(options);
-  });
-}
+const Program this_program{
+    "estimate_trajectory",
+    "Simulates noisy poses and an IMU with biases along a motion, and estimates from them, with Ceres, the control\n"
+    "points of a B-spline on SO(3) x R^3, the biases and the direction of gravity. Prints their errors before and\n"
+    "after.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      return [] {
+        check(options);
+        run(options);
+      };
+    }};

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <functional>
 #include <splinertia/io/euroc_imu.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
@@ -131,14 +132,15 @@ void check(const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Fits a smooth spline with usable velocities and accelerations to the poses of a trajectory.\n"
-      "Reports its residuals, the outliers among the poses, and the holes in which no poses measure it."};
-  Options options;
-  add_options(app, options);
-  return run_program("fit_trajectory", app, argc, argv, [&] {
-    check(options);
-    run(options);
-  });
-}
+const Program this_program{
+    "fit_trajectory",
+    "Fits a smooth spline with usable velocities and accelerations to the poses of a trajectory.\n"
+    "Reports its residuals, the outliers among the poses, and the holes in which no poses measure it.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      return [] {
+        check(options);
+        run(options);
+      };
+    }};

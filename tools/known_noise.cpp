@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <splinertia/io/euroc.hpp>
 #include <splinertia/splinertia.hpp>
 #include <string>
@@ -118,24 +119,28 @@ void run(const KnownImu& known, const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Simulates IMUs at rest with known noise, writes their samples as csv and as a ROS bag, reads them back from the "
-      "bag, identifies and plots the noise, and compares it with the truth."};
-  Options options;
-  app.add_option("--duration", options.duration, "duration [s]")->check(CLI::Range(10.0, 1e6))->capture_default_str();
-  app.add_option("--rate", options.rate, "sampling rate [Hz]")->check(CLI::Range(1.0, 1e5))->capture_default_str();
-  add_whole_number_option(app, "--seed", options.seed, "seed of the random numbers");
-  app.add_option("--format", options.format, "format of the ROS bag: bag of ROS 1, mcap or db3 of ROS 2")
-      ->check(CLI::IsMember({"bag", "mcap", "db3"}))
-      ->capture_default_str();
-  app.add_option("-o,--output", options.output,
-                 "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …")
-      ->capture_default_str();
-  app.add_flag("--no-plot", options.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
-  app.add_option("--python", options.python, "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
-      ->capture_default_str();
-  return run_program("known_noise", app, argc, argv, [&] {
-    for (const KnownImu& known : known_imus) run(known, options);
-  });
-}
+const Program this_program{
+    "known_noise",
+    "Simulates IMUs at rest with known noise, writes their samples as csv and as a ROS bag, reads them back from the "
+    "bag, identifies and plots the noise, and compares it with the truth.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      app.add_option("--duration", options.duration, "duration [s]")
+          ->check(CLI::Range(10.0, 1e6))
+          ->capture_default_str();
+      app.add_option("--rate", options.rate, "sampling rate [Hz]")->check(CLI::Range(1.0, 1e5))->capture_default_str();
+      add_whole_number_option(app, "--seed", options.seed, "seed of the random numbers");
+      app.add_option("--format", options.format, "format of the ROS bag: bag of ROS 1, mcap or db3 of ROS 2")
+          ->check(CLI::IsMember({"bag", "mcap", "db3"}))
+          ->capture_default_str();
+      app.add_option("-o,--output", options.output,
+                     "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …")
+          ->capture_default_str();
+      app.add_flag("--no-plot", options.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
+      app.add_option("--python", options.python,
+                     "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
+          ->capture_default_str();
+      return [] {
+        for (const KnownImu& known : known_imus) run(known, options);
+      };
+    }};

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <splinertia/imu/describe.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
@@ -191,19 +192,20 @@ void simulate_analytic(const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  CLI::App app{
-      "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
-      "A smooth spline is fitted to the poses of a file, from the first to the last. Its residuals, the outliers,\n"
-      "and the holes without poses are printed. The ground truth written is that of the spline."};
-  Options options;
-  add_options(app, options);
-  return run_program("simulate_imu", app, argc, argv, [&] {
-    if (options.help_errors) {
-      std::fputs(error_yaml_help().c_str(), stdout);
-      return;
-    }
-    check(options);
-    options.input.file.empty() ? simulate_analytic(options) : simulate_file(options);
-  });
-}
+const Program this_program{
+    "simulate_imu",
+    "Simulates an IMU along a trajectory, writes its samples and the ground truth, and integrates them back.\n\n"
+    "A smooth spline is fitted to the poses of a file, from the first to the last. Its residuals, the outliers,\n"
+    "and the holes without poses are printed. The ground truth written is that of the spline.",
+    [](CLI::App& app) -> std::function<void()> {
+      static Options options;
+      add_options(app, options);
+      return [] {
+        if (options.help_errors) {
+          std::fputs(error_yaml_help().c_str(), stdout);
+          return;
+        }
+        check(options);
+        options.input.file.empty() ? simulate_analytic(options) : simulate_file(options);
+      };
+    }};
