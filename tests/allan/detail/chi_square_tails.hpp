@@ -6,6 +6,8 @@
 
 namespace splinertia::allan {
 
+using namespace splinertia::detail;
+
 using namespace detail;
 
 /// P(X <= x), x >= 0.
