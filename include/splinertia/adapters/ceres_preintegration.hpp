@@ -9,7 +9,7 @@
 #include <limits>
 #include <splinertia/adapters/ceres_manifold.hpp>
 #include <splinertia/detail/refuse.hpp>
-#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/detail/imu_covariance.hpp>
 #include <splinertia/strapdown/preintegration/preintegration_residual.hpp>
 #include <stdexcept>
 

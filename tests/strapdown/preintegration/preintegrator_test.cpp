@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <chrono>
 #include <splinertia/strapdown/integrate.hpp>
-#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/detail/imu_covariance.hpp>
 #include <splinertia/strapdown/preintegration/preintegrator.hpp>
 #include <splinertia/strapdown/schemes/runge_kutta4.hpp>
 

@@ -13,7 +13,7 @@
 #include <splinertia/group/detail/turn_angle.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/group/tangent_units.hpp>
+#include <splinertia/group/detail/tangent_units.hpp>
 #include <splinertia/spline/fit/detail/pose_breaks.hpp>
 #include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/time.hpp>

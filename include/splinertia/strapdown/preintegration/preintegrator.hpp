@@ -5,7 +5,7 @@
 #include <splinertia/detail/require.hpp>
 #include <splinertia/strapdown/detail/linearized_increment.hpp>
 #include <splinertia/strapdown/detail/sample_window.hpp>
-#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/detail/imu_covariance.hpp>
 #include <splinertia/strapdown/preintegration/preintegrated_imu.hpp>
 #include <splinertia/strapdown/schemes/integration_scheme.hpp>
 #include <type_traits>

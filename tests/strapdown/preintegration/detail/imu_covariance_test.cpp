@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Eigenvalues>
-#include <splinertia/strapdown/preintegration/imu_covariance.hpp>
+#include <splinertia/strapdown/preintegration/detail/imu_covariance.hpp>
 
 #include "strapdown/preintegration/preintegration_runs.hpp"
 #include "support/catch.hpp"
