@@ -8,6 +8,7 @@
 #include <numbers>
 #include <splinertia/allan/difference_spectrum.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <vector>
 
 #include "allan/reference.hpp"
@@ -28,7 +29,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> sines(Eigen::Index n) {
   for (Eigen::Index k = 1; k < n; ++k) {
     for (Eigen::Index i = 1; i < n; ++i) {
       const auto turn = static_cast<Scalar>((i * k) % (2 * n)) / static_cast<Scalar>(n);
-      S(k - 1, i - 1) = std::sqrt(2 / static_cast<Scalar>(n)) * std::sin(std::numbers::pi_v<Scalar> * turn);
+      S(k - 1, i - 1) = std::sqrt(2 / static_cast<Scalar>(n)) * std::sin(splinertia::detail::pi_of<Scalar>() * turn);
     }
   }
   return S;
@@ -167,7 +168,7 @@ TEMPLATE_TEST_CASE("What the bins of a spectrum hold", "", double, long double) 
       CHECK((count == 1 || count * 64 <= first));
       Scalar sum = 0, product = 0, square = 0, white = 0, flicker = 0, quantization = 0;
       for (; k < first + count; ++k) {
-        const Scalar angle = std::numbers::pi_v<Scalar> * static_cast<Scalar>(k) / static_cast<Scalar>(2 * n);
+        const Scalar angle = splinertia::detail::pi_of<Scalar>() * static_cast<Scalar>(k) / static_cast<Scalar>(2 * n);
         const Scalar w = k % 2 == 1 ? std::sqrt(2 / static_cast<Scalar>(n)) / std::tan(angle) : Scalar(0);
         sum += b[k - 1] * b[k - 1];
         product += b[k - 1] * w;

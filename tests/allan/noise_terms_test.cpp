@@ -9,6 +9,7 @@
 #include <splinertia/allan/detail/model/spectral_fit.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <string>
 
 #include "support/catch.hpp"
@@ -70,7 +71,8 @@ TEST_CASE("The Allan variances of quantization and a ramp are those of second di
 TEMPLATE_TEST_CASE("Allan variances have the precision of the scalar", "", float, double, long double) {
   using Scalar = TestType;
   STATIC_CHECK(std::same_as<decltype(allan_variance(NoiseTerm::white, Scalar(1))), Scalar>);
-  const Scalar third = Scalar(1) / 3, floor = 2 * std::numbers::ln2_v<Scalar> / std::numbers::pi_v<Scalar>;
+  const Scalar third = Scalar(1) / 3, floor = 2 * static_cast<Scalar>(0.693147180559945309417232121458176568L) /
+                                              splinertia::detail::pi_of<Scalar>();
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   CHECK(allan_variance(NoiseTerm::white, Scalar(3)) == third);
   CHECK(allan_variance(NoiseTerm::random_walk, Scalar(1)) == third);

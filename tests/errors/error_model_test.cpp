@@ -89,7 +89,7 @@ TEST_CASE("The empty model is an empty type and changes nothing") {
 }
 
 TEST_CASE("A model takes the room of its terms' parameters") {
-  STATIC_CHECK(std::is_empty_v<ErrorModel<Doubling, PlusOne>>);
+  STATIC_CHECK(sizeof(ErrorModel<Doubling, PlusOne>) == 1);  // libc++'s std::tuple is never empty
   STATIC_CHECK(sizeof(ErrorModel<WhiteNoise<float>, RandomWalk<float>>) ==
                6 * sizeof(float));  // one value has room for three
   STATIC_CHECK(sizeof(ErrorModel<WhiteNoise<float>, Doubling>) == 3 * sizeof(float));

@@ -2,14 +2,14 @@
 /// Control points that are a given angle apart, for every angle from 0 to next to π.
 #pragma once
 
-#include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <string>
 
 #include "extremes.hpp"
 
 namespace extremes {
 
-inline constexpr Long pi = std::numbers::pi_v<Long>;
+inline constexpr Long pi = splinertia::detail::pi_of<Long>();
 
 /// The angles that a scalar can tell apart from 0 and from π.
 template <typename Scalar>

@@ -5,7 +5,7 @@
 /// changes f by eps θ |df/dθ|, which no algorithm that starts from φ in working precision can undo, and near 2π, where
 /// J⁻¹ has its pole and exp passes the identity, it is far above eps |f|. So beyond π, and only there, θ |df/dθ| (from
 /// the table's own derivatives where it has them) is part of the natural magnitude.
-#include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/detail/rigid_motion.hpp>
 #include <splinertia/group/detail/rotation.hpp>
 
@@ -15,7 +15,7 @@ namespace golden {
 
 namespace {
 
-constexpr long double pi = std::numbers::pi_v<long double>;
+constexpr long double pi = splinertia::detail::pi_of<long double>();
 
 /// The coefficients of a row of lie_coeffs in their order, each with the size of the terms that it is defined by: a
 /// difference such as dA1 = c₃ − c₂ cannot know better than its terms.

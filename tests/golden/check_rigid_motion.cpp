@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Tables of the functions of SE(3): se3_lie, se3_log. For angles beyond π see check_lie.cpp; the bound used for the
 /// translation of exp is θ |d(J_l ρ)/dθ| ≤ |ρ| θ/2.
-#include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/sophus.hpp>
 
 #include "golden_checks.hpp"
@@ -10,7 +10,7 @@ namespace golden {
 
 namespace {
 
-constexpr long double pi = std::numbers::pi_v<long double>;
+constexpr long double pi = splinertia::detail::pi_of<long double>();
 
 template <typename Scalar>
 using Traits = splinertia::GroupTraits<Sophus::SE3<Scalar>>;

@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <random>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -32,7 +32,7 @@ using Real = long double;
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-inline constexpr Real pi = std::numbers::pi_v<Real>;
+inline constexpr Real pi = splinertia::detail::pi_of<Real>();
 
 /// Where a tangent's rotations and translations are: {begin, size} of each.
 struct Parts {

@@ -7,8 +7,8 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <splinertia/allan/integrated_signal.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <unsupported/Eigen/FFT>
 #include <utility>
 #include <vector>
@@ -43,7 +43,7 @@ template <typename Scalar>
   Eigen::FFT<Scalar>().fwd(transformed.data(), packed.data(), static_cast<Eigen::Index>(n));
   std::vector<Scalar> b(n - 1);
   const Scalar scale = 1 / std::sqrt(8 * static_cast<Scalar>(n));
-  const Scalar per_sine = std::numbers::pi_v<Scalar> / static_cast<Scalar>(n);
+  const Scalar per_sine = splinertia::detail::pi_of<Scalar>() / static_cast<Scalar>(n);
   for (std::size_t k = 1; k < n; ++k) {
     const Complex z = transformed[k], mirrored = std::conj(transformed[n - k]);
     const Complex even = z + mirrored, odd_times_i = z - mirrored;
@@ -86,7 +86,7 @@ class DifferenceSpectrum {
     const auto& x = signal.sums();
     for (std::size_t i = 0; i + 1 < n; ++i) differences[i] = (x[i + 2] - x[i + 1]) - (x[i + 1] - x[i]);
     const auto b = detail::sine_transform(differences);
-    const Scalar per_sine = std::numbers::pi_v<Scalar> / (2 * static_cast<Scalar>(n));
+    const Scalar per_sine = splinertia::detail::pi_of<Scalar>() / (2 * static_cast<Scalar>(n));
     const Scalar ramp_scale = std::sqrt(2 / static_cast<Scalar>(n));
     for (std::size_t k = 1; k < n;) {
       const std::size_t end = (std::min)(n, k + std::max<std::size_t>(1, k / 64));

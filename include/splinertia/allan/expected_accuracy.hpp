@@ -7,8 +7,8 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <splinertia/allan/detail/chi_square.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
 #include <type_traits>
 
@@ -54,7 +54,7 @@ template <std::floating_point Scalar>
   const Wide corner = std::clamp(Wide(K) / Wide(N) / Wide(rate) / 2, smallest, largest);
   const Wide larger = (std::max)(corner, Wide(1)), white_scale = 1 / (larger * larger),
              walk_scale = (corner / larger) * (corner / larger), scale = white_scale + walk_scale;
-  const Wide per_sine = std::numbers::pi_v<Wide> / (2 * n);
+  const Wide per_sine = splinertia::detail::pi_of<Wide>() / (2 * n);
   Wide white = 0, both = 0, walk = 0;
   const auto add = [&](Wide k, Wide count) {
     const Wide sine = std::sin(k * per_sine), square = sine * sine;

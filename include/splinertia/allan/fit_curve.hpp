@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <splinertia/allan/curve.hpp>
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/model/non_negative_solution.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
 #include <stdexcept>
@@ -150,7 +150,7 @@ class DeviationFit {
   /// "Wavelet Methods for Time Series Analysis" (2000)).
   [[nodiscard]] Square correlations(const Vector& theta) const {
     constexpr int per_octave = 40;
-    const Scalar pi = std::numbers::pi_v<Scalar>;
+    const Scalar pi = splinertia::detail::pi_of<Scalar>();
     const Scalar highest = rate_ / 2, lowest = 1 / (32 * longest_);
     const int count = per_octave * (std::max)(1, 1 + static_cast<int>(std::log2(highest / lowest)));
     Square seen(basis_.rows(), count);

@@ -4,6 +4,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/errors/bias/constant_bias.hpp>
 #include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
@@ -43,7 +44,8 @@ TEMPLATE_TEST_CASE("A ramp is followed with the delay tau at any rate", "", floa
                                    [&](Scalar t) { return Eigen::Vector3<Scalar>(start + slope * t); });
     for (std::size_t i = 0; i < times.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
-        const Scalar tau = Scalar(1) / (2 * std::numbers::pi_v<Scalar> * cutoff[static_cast<std::size_t>(axis)]);
+        const Scalar tau =
+            Scalar(1) / (2 * splinertia::detail::pi_of<Scalar>() * cutoff[static_cast<std::size_t>(axis)]);
         const Scalar t = times[i], delay = -tau * std::expm1(-t / tau);
         const Scalar size = std::abs(start[axis]) + std::abs(slope[axis]) * t;
         // Each step is rounded; what is forgotten of that in a step is at least interval/τ of it, or all.

@@ -4,6 +4,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/errors/bias/constant_bias.hpp>
 #include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
@@ -44,7 +45,7 @@ TEMPLATE_TEST_CASE("It starts settled, and a constant passes as it is", "", floa
 TEMPLATE_TEST_CASE("A ramp is followed with the delay 2 zeta/omega at any rate", "", float, double, long double) {
   using Scalar = TestType;
   const Scalar eps = std::numeric_limits<Scalar>::epsilon();
-  const Scalar frequency = 2, omega = 2 * std::numbers::pi_v<Scalar> * frequency;
+  const Scalar frequency = 2, omega = 2 * splinertia::detail::pi_of<Scalar>() * frequency;
   const PerAxis<Scalar> damping_ratios(Scalar(0.2), 1, 3);
   const Eigen::Vector3<Scalar> start(1, 2, 3), slope(1, -5, 20);
   for (const Scalar& interval : {Scalar(0.002), Scalar(0.05), Scalar(3)}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/errors/describe.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/output/sinusoidal_vibration.hpp>
@@ -25,7 +25,7 @@ TEMPLATE_TEST_CASE("It adds amplitude sin(2 pi (f t + phase)) to the reading and
                                  PerAxis<Scalar>(0, Scalar(0.25), Scalar(0.125))};
   for (const Scalar& t : {Scalar(0), Scalar(0.1), Scalar(1.7)}) {
     const auto sample = applied(term, sample_with<Scalar>(Vector(10, 20, 30), Vector(4, 5, 6), t));
-    const Scalar turn = 2 * std::numbers::pi_v<Scalar>;
+    const Scalar turn = 2 * splinertia::detail::pi_of<Scalar>();
     const Vector expected(10 + std::sin(turn * t), 20 + 2 * std::sin(turn * (t / 2 + Scalar(0.25))),
                           30 - 3 * std::sin(turn * (7 * t + Scalar(0.125))));
     CHECK((sample.value - expected).norm() < 256 * eps);

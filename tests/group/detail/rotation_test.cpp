@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/detail/rotation.hpp>
 
 #include "group/sophus_laws.hpp"
@@ -25,7 +26,7 @@ template <typename Scalar>
 template <typename Scalar>
 constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
 template <typename Scalar>
-constexpr Scalar pi = std::numbers::pi_v<Scalar>;
+constexpr Scalar pi = splinertia::detail::pi_of<Scalar>();
 
 }  // namespace
 

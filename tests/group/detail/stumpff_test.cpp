@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/detail/stumpff.hpp>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace {
 using namespace splinertia::detail;
 
 using Real = long double;
-constexpr Real pi = std::numbers::pi_v<Real>;
+constexpr Real pi = splinertia::detail::pi_of<Real>();
 
 /// c_n(X) by its definition. Loses two digits of long double's nineteen at θ = 2π.
 [[nodiscard]] Real series(int n, Real X) {

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <numbers>
 #include <splinertia/allan/detail/chi_square_deviation.hpp>
 #include <splinertia/allan/detail/fit_bands.hpp>
 #include <splinertia/allan/detail/model/model_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <utility>
 #include <vector>
 
@@ -133,7 +133,7 @@ class BandSelection {
     if (!(excess > 0)) return 0;
     const Scalar step = spectrum_.rate() / (2 * static_cast<Scalar>(spectrum_.samples()));
     const Scalar width = (std::min)(
-        std::sqrt(50 * excess / static_cast<Scalar>(spectrum_.spectra())) / std::numbers::pi_v<Scalar> * step,
+        std::sqrt(50 * excess / static_cast<Scalar>(spectrum_.spectra())) / splinertia::detail::pi_of<Scalar>() * step,
         bins[begin].frequency / 2);
     std::size_t last = end;
     while (last < bins.size() && bins[last].frequency < bins[end - 1].frequency + width) ++last;

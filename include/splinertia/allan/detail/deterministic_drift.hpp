@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <splinertia/allan/detail/pooled_spectrum.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <vector>
 
 namespace splinertia::allan::detail {
@@ -33,7 +33,7 @@ class DriftSearch {
       : steps_(k.size(), positions), powers_(Matrix::Zero(k.size(), highest_degree)) {
     for (Eigen::Index p = 0; p < positions; ++p) {
       const Scalar t = (static_cast<Scalar>(p) + Scalar(1) / 2) / positions;
-      steps_.col(p) = ((std::numbers::pi_v<Scalar> * t) * k.array()).sin() * weight.array();
+      steps_.col(p) = ((splinertia::detail::pi_of<Scalar>() * t) * k.array()).sin() * weight.array();
       Scalar power = 1;
       for (int d = 0; d < highest_degree; ++d, power *= 2 * t - 1) powers_.col(d) += power * steps_.col(p);
     }

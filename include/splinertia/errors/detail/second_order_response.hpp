@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/random/detail/reproducible_math.hpp>
 

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <splinertia/detail/fixed_array.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/errors/detail/second_order_response.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>

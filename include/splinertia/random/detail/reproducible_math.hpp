@@ -7,12 +7,12 @@
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
+#include <splinertia/detail/pi.hpp>
 
 #include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <numbers>
 #include <type_traits>
 
 namespace splinertia::detail {
@@ -135,16 +135,6 @@ template <typename Scalar>
   } else {
     using std::expm1;
     return -expm1(-x);
-  }
-}
-
-template <typename Scalar>
-[[nodiscard]] Scalar pi_of() {
-  if constexpr (std::floating_point<Scalar>) {
-    return std::numbers::pi_v<Scalar>;
-  } else {
-    using std::acos;
-    return Scalar(2) * acos(Scalar(0));
   }
 }
 

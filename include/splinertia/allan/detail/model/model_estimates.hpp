@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <splinertia/allan/detail/chi_square.hpp>
 #include <splinertia/allan/detail/model/model_selection.hpp>
 #include <splinertia/allan/detail/model/profile_likelihood.hpp>
 #include <splinertia/allan/interval.hpp>
 #include <splinertia/allan/noise_estimates.hpp>
 #include <splinertia/allan/noise_terms.hpp>
+#include <splinertia/detail/pi.hpp>
 #include <vector>
 
 namespace splinertia::allan::detail {
@@ -194,7 +194,7 @@ class ModelEstimates {
   [[nodiscard]] Scalar highest_slow_frequency() const {
     const auto& best = selection_.best();
     const Scalar corner = best.terms.has(NoiseTerm::gauss_markov)
-                              ? 1 / (2 * std::numbers::pi_v<Scalar> * best.result.times.correlation)
+                              ? 1 / (2 * splinertia::detail::pi_of<Scalar>() * best.result.times.correlation)
                               : Scalar(0);
     const auto all = selection_.likelihood().fit().compare(best.result, has_trend(best.terms));
     std::size_t end = 0;

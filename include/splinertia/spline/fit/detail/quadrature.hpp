@@ -5,7 +5,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <numbers>
+#include <splinertia/detail/pi.hpp>
 #include <splinertia/time.hpp>
 
 namespace splinertia::detail {
@@ -21,7 +21,7 @@ struct Quadrature {
     using std::abs;
     using std::cos;
     for (std::size_t i = 0; i < n; ++i) {
-      Scalar x = -cos(Scalar(std::numbers::pi_v<long double>) * Scalar(4 * i + 3) / Scalar(4 * n + 2));
+      Scalar x = -cos(Scalar(pi_of<long double>()) * Scalar(4 * i + 3) / Scalar(4 * n + 2));
       Scalar slope(1);
       // Newton's method on the Legendre polynomial; from this start it converges quadratically at once.
       for (int iteration = 0; iteration < 8; ++iteration) {
