@@ -90,16 +90,6 @@ std::vector<Estimator> estimators_of(const std::vector<std::string>& names) {
   return chosen;
 }
 
-void plot(const Options& o) {
-  try {
-    PythonScript(o.reading.python, "plot_allan.py", {o.output.string()}, PythonScript::Output::shared).finish();
-    std::printf("wrote allan.png and allan.svg to %s\n", o.output.string().c_str());
-  } catch (const ScriptFailed&) {  // the plot is optional, and the script has printed the reason
-  } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "no plot: %s\n", error.what());
-  }
-}
-
 void analyse_log(Options o) {
   o.identify.candidates = terms_of(o.terms);
   for (const std::string& band : o.exclude) o.identify.excluded.push_back(band_of(band));
@@ -111,7 +101,7 @@ void analyse_log(Options o) {
   for (const std::string& warning : log.warnings) std::fprintf(stderr, "allan: warning: %s\n", warning.c_str());
   print_report(log, noise);
   write_files(noise, folder, estimators_of(o.for_estimators));
-  if (!o.no_plot) plot(o);
+  if (!o.no_plot) draw_plot(o.reading.python, "allan", o.output);
 }
 
 allan::AveragingFactors factors_of(const std::string& text) {

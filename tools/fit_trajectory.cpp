@@ -29,16 +29,6 @@ using namespace splinertia;
 
 namespace {
 
-void plot(const Options& o) {
-  try {
-    PythonScript(o.python, "plot_fit.py", {o.output.string()}, PythonScript::Output::shared).finish();
-    std::printf("wrote fit.png and fit.svg to %s\n", o.output.string().c_str());
-  } catch (const ScriptFailed&) {  // the plot is optional, and the script has printed the reason
-  } catch (const std::runtime_error& error) {
-    std::fprintf(stderr, "no plot: %s\n", error.what());
-  }
-}
-
 /// Throws std::invalid_argument if an output file is also an input of the run. Files that are not always written are
 /// checked again when they are begun.
 OutputFolder output_folder(const Options& o) {
@@ -73,7 +63,7 @@ void run(Options& o) {
   const WrittenFiles written = write_files(fitted, report, o, folder);
   std::fputs(report.c_str(), stdout);
   std::printf("\n%swrote %s to %s\n", written.note.c_str(), written.names.c_str(), o.output.string().c_str());
-  if (!o.no_plot) plot(o);
+  if (!o.no_plot) draw_plot(o.python, "fit", o.output);
 }
 
 void add_imu_options(CLI::App& app, FitImu& imu) {

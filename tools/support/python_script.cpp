@@ -92,3 +92,13 @@ void PythonScript::finish() {
   throw std::runtime_error(WIFEXITED(status) ? concat(name_, ": exit code ", WEXITSTATUS(status), ", expected 0")
                                              : concat(name_, ": ended by signal ", WTERMSIG(status)));
 }
+
+void draw_plot(const std::string& python, const std::string& name, const std::filesystem::path& folder) {
+  try {
+    PythonScript(python, "plot_" + name + ".py", {folder.string()}, PythonScript::Output::shared).finish();
+    std::printf("wrote %s.png and %s.svg to %s\n", name.c_str(), name.c_str(), folder.string().c_str());
+  } catch (const ScriptFailed&) {  // has printed the reason
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "no plot: %s\n", error.what());
+  }
+}

@@ -45,3 +45,7 @@ class PythonScript {
   pid_t process_ = -1;
   int pipe_ = -1;
 };
+
+/// Draws FOLDER/NAME.png and .svg from the files in the folder, by the script plot_NAME.py. The plot is optional: if it
+/// fails, the reason is printed on standard error.
+void draw_plot(const std::string& python, const std::string& name, const std::filesystem::path& folder);
