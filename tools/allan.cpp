@@ -143,7 +143,7 @@ std::string text_of(double value) {
 
 void print_deviation(const DeviationOptions& o) {
   Settings settings{.factors = factors_of(o.factors), .confidence = o.confidence, .alpha = o.alpha};
-  if (o.intervals == "exact") settings.phase_model = allan::detail::PhaseModel::sampled;
+  if (o.intervals == "exact") settings.phase_model = allan::PhaseModel::sampled;
   const std::vector<double> numbers = read_numbers(o.file);
   const auto curve_of = [&] {
     try {

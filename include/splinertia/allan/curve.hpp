@@ -52,12 +52,12 @@ struct DeviationOptions {
   /// The default has the published degrees of freedom (Greenhall and Riley 2003, SP 1065, Stable32), so that intervals
   /// are comparable with those of other tools. PhaseModel::sampled is exact for the samples of an IMU; it differs by up
   /// to 17 % below m = 30.
-  detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley;
+  PhaseModel phase_model = PhaseModel::greenhall_riley;
 };
 
 /// The equivalent degrees of freedom of a deviation at averaging factor m in a log of n samples.
 template <Deviation D>
-[[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, detail::PhaseModel model) {
+[[nodiscard]] double degrees_of_freedom(int alpha, std::int64_t m, std::int64_t n, PhaseModel model) {
   if constexpr (std::same_as<D, TotalDeviation>) {
     return detail::total_degrees_of_freedom(alpha, m, n, model);
   } else {

@@ -134,9 +134,9 @@ class StreamingAllanDeviation {
 
   /// The curve of the samples so far; for the parameters see CurveOptions. Omits factors that have no term yet. Throws
   /// std::invalid_argument for fewer than 3 samples, a constant signal, and parameters out of range.
-  [[nodiscard]] DeviationCurve<Scalar> curve(
-      Scalar confidence = detail::one_sigma<Scalar>, std::optional<int> alpha = {},
-      detail::PhaseModel phase_model = detail::PhaseModel::greenhall_riley) const {
+  [[nodiscard]] DeviationCurve<Scalar> curve(Scalar confidence = detail::one_sigma<Scalar>,
+                                             std::optional<int> alpha = {},
+                                             PhaseModel phase_model = PhaseModel::greenhall_riley) const {
     using Deviation = OverlappingAllanDeviation;
     if (samples_ < 3) {
       splinertia::detail::refuse<std::invalid_argument>("Allan analysis: ", samples_, " values, expected at least 3");

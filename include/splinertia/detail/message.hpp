@@ -25,8 +25,9 @@ template <typename Part>
     text << part;
     result = text.str();
     if constexpr (std::is_floating_point_v<Part>) {
-      Part read;
-      exact = (text >> read && read == part) || ++digits > std::numeric_limits<Part>::max_digits10;
+      Part read{};
+      text >> read;  // libc++ reads a subnormal number, but reports it as out of range
+      exact = read == part || ++digits > std::numeric_limits<Part>::max_digits10;
     } else {
       exact = true;
     }
