@@ -11,7 +11,7 @@ namespace golden {
 namespace {
 
 template <int Order>
-[[nodiscard]] Numbers entries(const splinertia::BasisMatrix<Order>& m) {
+[[nodiscard]] Numbers entries(const splinertia::detail::BasisMatrix<Order>& m) {
   Numbers values;
   for (const auto& row : m) {
     for (const auto x : row) values.push_back(static_cast<long double>(x));

@@ -24,10 +24,9 @@
 #endif
 #endif
 
-namespace splinertia {
+namespace splinertia::detail {
 
 #ifndef __cpp_exceptions
-namespace detail {
 
 /// Appends one part of a message at text[used], cut off at the end of the buffer. Uses no stream and no heap.
 template <typename Part>
@@ -51,10 +50,7 @@ void append_part(char* text, std::size_t size, std::size_t& used, const Part& pa
   used = (std::min)(used + static_cast<std::size_t>((std::max)(wanted, 0)), size - 1);
 }
 
-}  // namespace detail
 #endif
-
-namespace detail {
 
 /// Throws an Error whose message is made of the parts. Without exceptions, passes the message to SPLINERTIA_REFUSE.
 template <typename Error, typename... Parts>
@@ -64,12 +60,10 @@ template <typename Error, typename... Parts>
 #else
   char text[256] = "";
   std::size_t used = 0;
-  (detail::append_part(text, sizeof text, used, parts), ...);
+  (append_part(text, sizeof text, used, parts), ...);
   SPLINERTIA_REFUSE(text);
   std::abort();
 #endif
 }
 
-}  // namespace detail
-
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <iterator>
-#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <utility>
 
 namespace splinertia::detail {

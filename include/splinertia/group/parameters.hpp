@@ -51,9 +51,10 @@ inline void write_parameters(const G& x, ScalarOf<G>* numbers) {
   ParameterLayout<G>::write(x, numbers);
 }
 
+namespace detail {
+
 template <HasParameterLayout G>
 using TangentToParameters = Eigen::Matrix<ScalarOf<G>, parameter_count<G>, DofOf<G>>;
-namespace detail {
 
 template <HasParameterLayout G>
 using ParametersToTangent = Eigen::Matrix<ScalarOf<G>, DofOf<G>, parameter_count<G>>;

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstddef>
-#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/group/parameters.hpp>
 
 namespace splinertia {

@@ -57,9 +57,9 @@ struct ZigguratTables {
   return t;
 }
 
-}  // namespace detail
-
 inline constexpr detail::ZigguratTables ziggurat_tables = detail::make_ziggurat_tables();
+
+}  // namespace detail
 
 /// An endless stream of independent standard normal numbers, determined by its key alone.
 /// Marsaglia, Tsang, "The Ziggurat Method for Generating Random Variables", J. Stat. Soft. 5 (2000), with separate bits
@@ -102,10 +102,10 @@ class NormalStream {
         : index(r & 0x1ff), multiple(static_cast<std::int64_t>(r >> 11)) {}
     /// Whether x is left of the edge of the layer above, so that the point is certainly under the curve.
     [[nodiscard]] SPLINERTIA_ALWAYS_INLINE constexpr bool inside() const {
-      return multiple < ziggurat_tables.inside[index];
+      return multiple < detail::ziggurat_tables.inside[index];
     }
     [[nodiscard]] SPLINERTIA_ALWAYS_INLINE constexpr double x() const {
-      return static_cast<double>(multiple) * ziggurat_tables.scale[index];
+      return static_cast<double>(multiple) * detail::ziggurat_tables.scale[index];
     }
     [[nodiscard]] constexpr std::size_t layer() const { return index % detail::ZigguratTables::layers; }
     [[nodiscard]] constexpr double with_sign(double absolute) const {
@@ -121,7 +121,7 @@ class NormalStream {
       if (candidate.inside()) return x;
       const std::size_t layer = candidate.layer();
       if (layer == 0) return candidate.with_sign(tail());
-      const double f0 = ziggurat_tables.f[layer], f1 = ziggurat_tables.f[layer + 1];
+      const double f0 = detail::ziggurat_tables.f[layer], f1 = detail::ziggurat_tables.f[layer + 1];
       if (detail::multiply_add(uniform(), f1 - f0, f0) < detail::reproducible_exp(-x * x / 2)) return x;
     }
   }

@@ -8,8 +8,8 @@
 #include <span>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
-#include <splinertia/detail/lanes.hpp>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/spline/detail/nonuniform_basis.hpp>
 #include <splinertia/spline/knots.hpp>
 #include <splinertia/time.hpp>

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 #include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/lanes.hpp>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/time.hpp>
 #include <stdexcept>
 

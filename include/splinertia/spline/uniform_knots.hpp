@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/lanes.hpp>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/group/detail/stumpff.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <splinertia/spline/knots.hpp>

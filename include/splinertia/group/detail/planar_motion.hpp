@@ -6,9 +6,7 @@
 #include <splinertia/group/detail/stumpff.hpp>
 #include <splinertia/group/lie_group.hpp>
 
-namespace splinertia {
-
-namespace detail {
+namespace splinertia::detail {
 
 /// i ρ.
 template <typename Scalar>
@@ -69,6 +67,4 @@ template <typename Scalar>
   return m;
 }
 
-}  // namespace detail
-
-}  // namespace splinertia
+}  // namespace splinertia::detail

@@ -23,7 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <splinertia/detail/fixed_array.hpp>
-#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/group/detail/economized_series.hpp>
 #include <type_traits>
 #include <utility>

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
-#include <splinertia/detail/lanes.hpp>
 #include <splinertia/detail/sample_rows.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/spline/detail/packed_samples.hpp>

@@ -9,9 +9,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace splinertia {
-
-namespace detail {
+namespace splinertia::detail {
 
 /// A SIMD pack: N numbers (lanes) that go through the same arithmetic at once. It can be the Scalar of every template
 /// of this library that never branches on one; each operation is one SIMD instruction or a few. It has no comparisons,
@@ -114,9 +112,7 @@ inline constexpr int vector_bytes = 16, vectors_at_once = 2;
 template <typename T>
 using NativeSimdPack = SimdPack<T, vectors_at_once * vector_bytes / static_cast<int>(sizeof(T)), vector_bytes>;
 
-}  // namespace detail
-
-}  // namespace splinertia
+}  // namespace splinertia::detail
 
 template <typename T, int N, int Bytes>
 struct std::numeric_limits<splinertia::detail::SimdPack<T, N, Bytes>> : std::numeric_limits<T> {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <splinertia/detail/lanes.hpp>
+#include <splinertia/detail/simd_pack.hpp>
 
 #include <Eigen/Geometry>
 #include <cmath>
