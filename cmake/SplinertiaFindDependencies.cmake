@@ -35,6 +35,16 @@ function(splinertia_find package target header)
   set(${package}_VERSION "${${package}_VERSION}" PARENT_SCOPE)
 endfunction()
 
+# splinertia_find_ceres(): makes the target Ceres::ceres if Ceres is installed. Packagers compile it for the compiler's usual
+# standard library, so with -stdlib=libc++ it is left out.
+macro(splinertia_find_ceres)
+  if(NOT CMAKE_CXX_FLAGS MATCHES "-stdlib=libc[+][+]")
+    set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)   # its config file lists all of SuiteSparse
+    find_package(Ceres CONFIG QUIET)
+    unset(CMAKE_MESSAGE_LOG_LEVEL)
+  endif()
+endmacro()
+
 splinertia_find(Eigen3 Eigen3::Eigen Eigen/Core)
 splinertia_find(Sophus Sophus::Sophus sophus/so3.hpp)
 
