@@ -120,7 +120,7 @@ void check_span(std::string_view whose, std::string_view what, Time first, Time 
   } else {
     if (first >= Time::zero() || last <= (Time::max)() + first) return;
     refuse<std::invalid_argument>(whose, ": ", what, " from ", seconds_or_ticks(first), " to ", seconds_or_ticks(last),
-                                  " span more ticks than ", detail::time_bits<Time>, " bits can count");
+                                  " span more ticks than ", time_bits<Time>, " bits can count");
   }
 }
 
@@ -134,7 +134,7 @@ template <TimePoint Time, std::floating_point Seconds>
   // it, the limit is 2^(bits − 1).
   constexpr Seconds limit =
       -static_cast<Seconds>((std::numeric_limits<typename Time::rep>::min)()) - Seconds(1) / Seconds(2);
-  if (!is_finite(duration) || !(std::abs(ticks) < limit)) detail::refuse_time<Time>(duration, " s");
+  if (!is_finite(duration) || !(std::abs(ticks) < limit)) refuse_time<Time>(duration, " s");
   return Time(static_cast<typename Time::rep>(std::llround(ticks)));
 }
 
@@ -183,7 +183,7 @@ template <TimePoint Time, TimePoint From>
     typename Time::rep ticks{};
     if (__builtin_mul_overflow(t.count(), Factor::num, &scaled) ||
         __builtin_add_overflow(scaled / Factor::den, 0, &ticks)) {
-      detail::refuse_time<Time>(to_seconds<double>(t), " s");
+      refuse_time<Time>(to_seconds<double>(t), " s");
     }
     return Time(ticks);
   }

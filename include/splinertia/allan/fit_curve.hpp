@@ -178,6 +178,23 @@ class DeviationFit {
   Column tau_, variance_, freedom_;
 };
 
+namespace detail {
+
+/// The candidates that stay when terms of less significance than `detection` are removed one by one. Of terms that
+/// explain the same power the random walk stays, which estimators model.
+template <typename Scalar>
+[[nodiscard]] NoiseTerms significant_terms(const DeviationFit<Scalar>& fit, NoiseTerms candidates, Scalar detection) {
+  NoiseTerms model = candidates;
+  for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::quantization, NoiseTerm::bias_instability,
+                               NoiseTerm::random_walk, NoiseTerm::white}) {
+    if (!model.has(term) || model == NoiseTerms{term} || fit.significance(model, term) >= detection) continue;
+    model = model.without(term);
+  }
+  return model;
+}
+
+}  // namespace detail
+
 /// N, K, B, Q and R from a curve alone, when there is no signal for identify(): a curve from a paper or from a stream.
 /// All `candidates` but G and W are fitted together; terms that are not significant at 1 % are removed one by one.
 /// Intervals of detected terms are those of a chi-square distribution with the degrees of freedom that the standard
@@ -197,13 +214,7 @@ template <typename Scalar>
   const DeviationFit<Scalar> fit(curve);
   const Scalar detection =
       std::sqrt(detail::chi_square_quantile(Scalar(98) / 100, Scalar(1)));  // exceeded in 1 % of logs
-  NoiseTerms model = candidates;
-  // In this order, so that of terms that explain the same power the random walk stays, which estimators model.
-  for (const NoiseTerm term : {NoiseTerm::rate_ramp, NoiseTerm::quantization, NoiseTerm::bias_instability,
-                               NoiseTerm::random_walk, NoiseTerm::white}) {
-    if (!model.has(term) || model == NoiseTerms{term} || fit.significance(model, term) >= detection) continue;
-    model = model.without(term);
-  }
+  const NoiseTerms model = detail::significant_terms(fit, candidates, detection);
   const auto result = fit.fit(model);
   NoiseEstimates<Scalar> estimates;
   estimates.highest_frequency = curve.rate / 2;

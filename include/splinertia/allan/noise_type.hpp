@@ -13,7 +13,7 @@ namespace splinertia::allan {
 
 namespace detail {
 
-/// noise_type() needs at least fewest_averages averages and reads only the first detail::most_averages.
+/// noise_type() needs at least fewest_averages averages and reads only the first most_averages.
 inline constexpr std::int64_t fewest_averages = 30, most_averages = std::int64_t{1} << 16;
 
 /// The exponent alpha of n averages that were differenced d = 0, 1 or 2 times; nothing if they must be differenced once

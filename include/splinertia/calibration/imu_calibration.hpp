@@ -44,13 +44,13 @@ template <Pose G>
   const auto& q_BI = calibration.mounting.R_BI.unit_quaternion();
   const Eigen::Vector3<Scalar>& l = calibration.mounting.p_BI;
   const Eigen::Vector3<Scalar> omega = angular_velocity(m), alpha = angular_acceleration(m);
-  const Eigen::Vector3<Scalar> alpha_rate = detail::rotational_part<G>(m.jerk);
-  Eigen::Vector3<Scalar> force_rate = detail::translational_part<G>(m.jerk);
+  const Eigen::Vector3<Scalar> alpha_rate = rotational_part<G>(m.jerk);
+  Eigen::Vector3<Scalar> force_rate = translational_part<G>(m.jerk);
   if constexpr (SplitPose<G>) {
     force_rate = rotate_inverse<Scalar>(q, force_rate) - omega.cross(specific_force(m, calibration.gravity));
   } else {
-    const Eigen::Vector3<Scalar> v = detail::translational_part<G>(m.velocity);
-    const Eigen::Vector3<Scalar> v_dot = detail::translational_part<G>(m.acceleration);
+    const Eigen::Vector3<Scalar> v = translational_part<G>(m.velocity);
+    const Eigen::Vector3<Scalar> v_dot = translational_part<G>(m.acceleration);
     force_rate += alpha.cross(v) + omega.cross(v_dot) + omega.cross(rotate_inverse<Scalar>(q, calibration.gravity));
   }
   force_rate += alpha_rate.cross(l) + alpha.cross(omega.cross(l)) + omega.cross(alpha.cross(l));

@@ -99,27 +99,24 @@ concept TermWithStart =
 
 /// Whether `errors`, a term or a model, can be applied to such a sample.
 template <typename Errors, typename AnySample, typename State>
-concept AppliesTo =
-    requires(const Errors& errors, AnySample sample, State& state) {
-      errors.apply(static_cast<AnySample&&>(sample), state);
-    } || (std::same_as<AnySample, detail::AnySensorSample&> &&
-          requires(const Errors& errors, AnySample sample, State& state) {
-            errors.template apply<detail::AnySensorSample::axes>(sample, state);
-          });
+concept AppliesTo = requires(const Errors& errors, AnySample sample, State& state) {
+  errors.apply(static_cast<AnySample&&>(sample), state);
+} || (std::same_as<AnySample, AnySensorSample&> && requires(const Errors& errors, AnySample sample, State& state) {
+                      errors.template apply<AnySensorSample::axes>(sample, state);
+                    });
 
 /// Whether errors can be applied to samples of some scalar and can change them.
 template <typename Errors, typename State>
-concept AppliesToSensor =
-    AppliesTo<Errors, SensorSample<double>&, State> || AppliesTo<Errors, detail::AnySensorSample&, State>;
+concept AppliesToSensor = AppliesTo<Errors, SensorSample<double>&, State> || AppliesTo<Errors, AnySensorSample&, State>;
 template <typename Errors, typename State>
-concept AppliesToClock = AppliesTo<Errors, Stamp<double>&, State> || AppliesTo<Errors, detail::AnyStamp&, State>;
+concept AppliesToClock = AppliesTo<Errors, Stamp<double>&, State> || AppliesTo<Errors, AnyStamp&, State>;
 
 /// Whether errors take a copy or a reference to const, so that their changes would be lost.
 template <typename Errors, typename State>
 concept AppliesToCopy =
     !AppliesTo<Errors, int, State> &&
-    (AppliesTo<Errors, SensorSample<double>, State> || AppliesTo<Errors, detail::AnySensorSampleCopy, State> ||
-     AppliesTo<Errors, Stamp<double>, State> || AppliesTo<Errors, detail::AnyStampCopy, State>);
+    (AppliesTo<Errors, SensorSample<double>, State> || AppliesTo<Errors, AnySensorSampleCopy, State> ||
+     AppliesTo<Errors, Stamp<double>, State> || AppliesTo<Errors, AnyStampCopy, State>);
 
 }  // namespace detail
 

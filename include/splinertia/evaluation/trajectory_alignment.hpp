@@ -124,7 +124,7 @@ template <typename Scalar>
                                   "all on one vertical line");
   }
   SimilarityTransform<Scalar> result;
-  result.rotation = detail::rotation_about_z(sine, cosine);
+  result.rotation = rotation_about_z(sine, cosine);
   result.translation = mean_y - result(mean_x);
   return result;
 }

@@ -39,6 +39,47 @@ enum class PairSelection { consecutive, all };
   return indices;
 }
 
+namespace detail {
+
+/// The consecutive pairs of index_pairs_by_path(). lengths[i]: from pose i to pose i + 1, m.
+template <typename Scalar>
+[[nodiscard]] IndexPairs consecutive_pairs_by_path(const std::vector<Scalar>& lengths, const Scalar& delta) {
+  IndexPairs indices;
+  std::size_t start = 0;
+  Scalar path(0);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    path += lengths[i];
+    if (!(path >= delta)) continue;
+    indices.emplace_back(start, i + 1);
+    start = i + 1;
+    path = Scalar(0);
+  }
+  return indices;
+}
+
+/// All pairs of index_pairs_by_path(). lengths[i]: from pose i to pose i + 1, m.
+template <typename Scalar>
+[[nodiscard]] IndexPairs all_pairs_by_path(const std::vector<Scalar>& lengths, const Scalar& delta,
+                                           const Scalar& tolerance) {
+  using std::abs;
+  IndexPairs indices;
+  std::vector<Scalar> path{Scalar(0)};
+  for (const Scalar& length : lengths) path.push_back(path.back() + length);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const auto miss = [&](auto at) { return abs(*at - path[i] - delta); };
+    const auto next = path.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    auto best = std::partition_point(next, path.end(), [&](Scalar s) { return s - path[i] < delta; });
+    // The one before may be as good or better. Of several with the same path length, take the first.
+    if (best == path.end() || (best != next && miss(best - 1) <= miss(best))) {
+      best = std::lower_bound(next, path.end(), *(best - 1));
+    }
+    if (miss(best) <= delta * tolerance) indices.emplace_back(i, static_cast<std::size_t>(best - path.begin()));
+  }
+  return indices;
+}
+
+}  // namespace detail
+
 /// Pairs of indices between which the estimate's path is `delta` metres long. Consecutive: to the first index at which
 /// it is at least that long; the next pair begins there. All: to the index at which its length is nearest to delta, if
 /// it differs by at most tolerance · delta. Throws std::invalid_argument unless delta is finite and > 0, and if there
@@ -49,39 +90,16 @@ template <Pose G, TimePoint Time>
                                              PairSelection selection = PairSelection::consecutive,
                                              std::type_identity_t<ScalarOf<G>> tolerance = ScalarOf<G>(1) /
                                                                                            ScalarOf<G>(10)) {
-  using Scalar = ScalarOf<G>;
-  using std::abs;
-  if (!(delta > Scalar(0)) || !detail::is_finite(delta)) {
+  if (!(delta > ScalarOf<G>(0)) || !detail::is_finite(delta)) {
     detail::refuse<std::invalid_argument>("index_pairs_by_path: delta ", delta, " m, expected a length > 0");
   }
-  const auto length = [&](std::size_t i) {
-    return (position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm();
-  };
-  IndexPairs indices;
-  if (selection == PairSelection::consecutive) {
-    std::size_t start = 0;
-    Scalar path(0);
-    for (std::size_t i = 1; i < pairs.size(); ++i) {
-      path += length(i);
-      if (!(path >= delta)) continue;
-      indices.emplace_back(start, i);
-      start = i;
-      path = Scalar(0);
-    }
-  } else {
-    std::vector<Scalar> path(pairs.size(), Scalar(0));
-    for (std::size_t i = 1; i < path.size(); ++i) path[i] = path[i - 1] + length(i);
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto miss = [&](auto at) { return abs(*at - path[i] - delta); };
-      const auto next = path.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-      auto best = std::partition_point(next, path.end(), [&](Scalar s) { return s - path[i] < delta; });
-      // The one before may be as good or better. Of several with the same path length, take the first.
-      if (best == path.end() || (best != next && miss(best - 1) <= miss(best))) {
-        best = std::lower_bound(next, path.end(), *(best - 1));
-      }
-      if (miss(best) <= delta * tolerance) indices.emplace_back(i, static_cast<std::size_t>(best - path.begin()));
-    }
+  std::vector<ScalarOf<G>> lengths;
+  for (std::size_t i = 1; i < pairs.size(); ++i) {
+    lengths.push_back((position(pairs[i].estimate) - position(pairs[i - 1].estimate)).norm());
   }
+  const IndexPairs indices = selection == PairSelection::consecutive
+                                 ? detail::consecutive_pairs_by_path(lengths, delta)
+                                 : detail::all_pairs_by_path(lengths, delta, tolerance);
   if (indices.empty()) {
     detail::refuse<std::invalid_argument>("index_pairs_by_path: no two of the ", pairs.size(), " poses are ", delta,
                                           " m apart along the path");

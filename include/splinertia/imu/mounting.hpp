@@ -31,7 +31,7 @@ void require_finite(const char* whose, const Mounting<Scalar>& mounting) {
 /// The mounting with numbers of type S.
 template <typename S, typename Scalar>
 [[nodiscard]] inline Mounting<S> with_scalar(const Mounting<Scalar>& mounting) {
-  return {splinertia::detail::with_scalar<S>(mounting.R_BI), splinertia::detail::with_scalar<S>(mounting.p_BI)};
+  return {with_scalar<S>(mounting.R_BI), with_scalar<S>(mounting.p_BI)};
 }
 
 }  // namespace detail

@@ -40,7 +40,7 @@ namespace detail {
 /// The samples of an IMU on a moving body: a range that computes each sample when it is reached, in constant memory.
 /// Each begin() starts again at the first sample. Mount is Mounting<Scalar> if the IMU is not at the body frame. See
 /// simulate().
-template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = detail::NotMounted>
+template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = NotMounted>
 class Simulation {
  public:
   using Trajectory = std::remove_cvref_t<Motion>;
@@ -57,7 +57,7 @@ class Simulation {
         gravity_(options.gravity),
         clock_("simulate", motion_, options),
         key_(StreamKey(options.seed) / options.imu) {
-    if constexpr (!std::is_same_v<Mount, detail::NotMounted>) require_finite("simulate", mounting);
+    if constexpr (!std::is_same_v<Mount, NotMounted>) require_finite("simulate", mounting);
   }
 
   /// The number of samples taken. Both ends are sampled if they fall on a sample. Dropped samples are counted, too.
@@ -70,7 +70,7 @@ class Simulation {
   class Run;
 
  public:
-  using Iterator = detail::RunIterator<Run>;
+  using Iterator = RunIterator<Run>;
 
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Iterator begin() const {
     // Moved, because a function that is not inlined has had the address of `first`: see ImuErrors.
@@ -105,12 +105,12 @@ class Simulation {
         } else {
           const Time time = s.time(index);
           const auto ideal = s.ideal(time);
-          if (!splinertia::detail::is_finite(finiteness(ideal))) [[unlikely]]
+          if (!is_finite(finiteness(ideal))) [[unlikely]]
             s.refuse_sample(index);
           if (errors_.apply(time, ideal, interval_, reading_)) return index;
         }
       }
-      return detail::no_reading;
+      return no_reading;
     }
 
    private:
@@ -136,7 +136,7 @@ class Simulation {
 
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE ImuMeasurement<Scalar> ideal(Time time) const {
     return flattened<Scalar>([this, time] {
-      if constexpr (std::is_same_v<Mount, detail::NotMounted>) {
+      if constexpr (std::is_same_v<Mount, NotMounted>) {
         return ideal_imu(motion_.template evaluate<2>(time), gravity_);
       } else {
         return ideal_imu(motion_.template evaluate<2>(time), gravity_, mounting_);
@@ -150,7 +150,7 @@ class Simulation {
       const ImuMeasurement<Scalar> m = ideal(time(i));
       for (const auto& [name, reading] : {std::pair("gyro", m.gyro), std::pair("accel", m.accel)}) {
         for (int axis = 0; axis < 3; ++axis) {
-          if (splinertia::detail::is_finite(reading[axis])) continue;
+          if (is_finite(reading[axis])) continue;
           refuse<std::invalid_argument>("simulate: the motion gives ", name, ' ', "xyz"[axis], " = ", reading[axis],
                                         " at sample ", i, ", time ", seconds_or_ticks(time(i)),
                                         ", expected a finite number");
@@ -169,7 +169,7 @@ class Simulation {
   [[no_unique_address]] Sensors sensors_;
   [[no_unique_address]] Mount mounting_;
   Eigen::Vector3<Scalar> gravity_;
-  detail::SampleClock<Scalar, Time> clock_;
+  SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };
 

@@ -32,7 +32,7 @@ namespace detail {
 
 /// The increments of an IMU on a moving body: a range that computes each when it is reached, in constant memory. Each
 /// begin() starts again at the first one. See simulate_increments().
-template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = detail::NotMounted>
+template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = NotMounted>
 class IncrementSimulation {
  public:
   using Trajectory = std::remove_cvref_t<Motion>;
@@ -48,7 +48,7 @@ class IncrementSimulation {
         gravity_(options.gravity),
         clock_("simulate_increments", motion_, options),
         key_(StreamKey(options.seed) / options.imu) {
-    if constexpr (!std::is_same_v<Mount, detail::NotMounted>) require_finite("simulate_increments", mounting);
+    if constexpr (!std::is_same_v<Mount, NotMounted>) require_finite("simulate_increments", mounting);
   }
 
   /// The number of increments, dropped ones included.
@@ -61,7 +61,7 @@ class IncrementSimulation {
   class Run;
 
  public:
-  using Iterator = detail::RunIterator<Run>;
+  using Iterator = RunIterator<Run>;
 
   [[nodiscard]] Iterator begin() const { return Iterator(std::in_place, *this); }
   [[nodiscard]] Iterator end() const { return {}; }
@@ -82,7 +82,7 @@ class IncrementSimulation {
       for (; index < s.size(); ++index) {
         const Time begin = s.time(index), end = s.time(index + 1);
         const auto mean = mean_(s.motion_, s.gravity_, s.mounting_, begin, end);
-        if (!splinertia::detail::is_finite(finiteness(mean))) [[unlikely]]
+        if (!is_finite(finiteness(mean))) [[unlikely]]
           s.refuse_increment(index);
         typename Errors::Reading with_errors;
         if (!errors_.apply(end, mean, s.clock_.interval(), with_errors)) continue;
@@ -93,14 +93,14 @@ class IncrementSimulation {
                     end};
         return index;
       }
-      return detail::no_reading;
+      return no_reading;
     }
 
    private:
     using Errors = ImuErrors<Sensors, Scalar, Time, Generator>;
 
     const IncrementSimulation* simulation_;
-    detail::MeanImu<Trajectory, Mount> mean_;
+    MeanImu<Trajectory, Mount> mean_;
     Errors errors_;
     Reading reading_;
   };
@@ -115,7 +115,7 @@ class IncrementSimulation {
   [[no_unique_address]] Sensors sensors_;
   [[no_unique_address]] Mount mounting_;
   Eigen::Vector3<Scalar> gravity_;
-  detail::SampleClock<Scalar, Time> clock_;
+  SampleClock<Scalar, Time> clock_;
   StreamKey key_;
 };
 

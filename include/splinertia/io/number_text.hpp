@@ -69,7 +69,7 @@ namespace detail {
 /// The same as std::from_chars.
 [[nodiscard]] inline std::from_chars_result real_from_chars(const char* first, const char* last, double& value) {
 #if defined(__SIZEOF_INT128__)
-  if (const char* const end = detail::short_decimal(first, last, value)) return {end, std::errc{}};
+  if (const char* const end = short_decimal(first, last, value)) return {end, std::errc{}};
 #endif
   return std::from_chars(first, last, value);
 }

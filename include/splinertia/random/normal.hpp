@@ -57,7 +57,7 @@ struct ZigguratTables {
   return t;
 }
 
-inline constexpr detail::ZigguratTables ziggurat_tables = detail::make_ziggurat_tables();
+inline constexpr ZigguratTables ziggurat_tables = make_ziggurat_tables();
 
 }  // namespace detail
 

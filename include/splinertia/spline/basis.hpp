@@ -44,7 +44,7 @@ namespace detail {
 }
 
 template <int Order>
-using BasisMatrix = detail::FixedArray<detail::FixedArray<std::int64_t, Order>, Order>;
+using BasisMatrix = FixedArray<FixedArray<std::int64_t, Order>, Order>;
 
 /// (k − 1)! times the basis matrix of uniform knots, which makes it integer. Row j, column n holds the coefficient of
 /// uⁿ in (k − 1)! B_j(u). K. Qin, "General matrix representations for B-splines", The Visual Computer 16 (2000), (7).

@@ -93,7 +93,7 @@ template <int D, LieGroup... F, int Order>
     const Product<F...>& first, const auto& d, const CumulativeBasis<ScalarOf<Product<F...>>, Order, D>& basis) {
   using G = Product<F...>;
   Motion<G, D> m;
-  detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+  for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
     constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };

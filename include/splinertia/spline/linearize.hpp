@@ -219,7 +219,7 @@ template <int D, LieGroupWithJacobians... F, int Order>
         for (auto& J : jacobians) J.setZero();
       },
       result);
-  detail::for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
+  for_each_factor<G>([&]<std::size_t Index, typename Factor>() {
     constexpr int offset = G::template offset<Index>;
     constexpr int dof = DofOf<Factor>;
     const auto part = [&](std::size_t j) { return Tangent<Factor>(d(j).template segment<dof>(offset)); };

@@ -66,14 +66,7 @@ struct NonUniformKnots {
                                             detail::seconds_or_ticks(start),
                                             ", expected a non-empty domain between them");
     }
-    for (std::size_t i = k; i + k - 1 < control_points; ++i) {
-      if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
-        detail::refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
-                                              k > 2 ? " are all " : " are both ", detail::seconds_or_ticks(knots[i]),
-                                              ", which would make the curve discontinuous; expected at most ", k - 1,
-                                              " equal knots inside the domain, the order minus one");
-      }
-    }
+    check_multiplicity(control_points, k, start, end);
     detail::check_span("NonUniformKnots", "knots", knots.front(), knots.back());
     if constexpr (std::floating_point<Time>) {
       Time shortest = end - start;
@@ -157,6 +150,17 @@ struct NonUniformKnots {
   };
 
  private:
+  void check_multiplicity(std::size_t control_points, std::size_t k, Time start, Time end) const {
+    for (std::size_t i = k; i + k - 1 < control_points; ++i) {
+      if (knots[i] > start && knots[i + k - 1] < end && knots[i] == knots[i + k - 1]) {
+        detail::refuse<std::invalid_argument>("NonUniformKnots: knots ", i, k > 2 ? " to " : " and ", i + k - 1,
+                                              k > 2 ? " are all " : " are both ", detail::seconds_or_ticks(knots[i]),
+                                              ", which would make the curve discontinuous; expected at most ", k - 1,
+                                              " equal knots inside the domain, the order minus one");
+      }
+    }
+  }
+
   struct KnotLocation {
     std::size_t span;
     Time time;  // t, clamped so that Time can represent its differences from the knots

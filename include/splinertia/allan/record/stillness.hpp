@@ -57,6 +57,18 @@ struct BlockLimit {
   double usual, limit;
 };
 
+/// Appends the standard deviation and the largest distance from the mean of a block, which is made of two halves of
+/// `count` samples each.
+inline void add_block(const HalfBlock& last, const HalfBlock& next, double count, std::vector<double>& spreads,
+                      std::vector<double>& peaks) {
+  const double shift = next.origin - last.origin;
+  const double mean = (last.sum + next.sum + count * shift) / (2 * count);
+  const double squares = last.squares + next.squares + 2 * shift * next.sum + count * shift * shift;
+  spreads.push_back(std::sqrt((std::max)(0.0, squares / (2 * count) - mean * mean)));
+  peaks.push_back((std::max)((std::max)(last.greatest, next.greatest + shift) - mean,
+                             mean - (std::min)(last.least, next.least + shift)));
+}
+
 }  // namespace splinertia::detail
 
 namespace splinertia::allan {
@@ -92,15 +104,7 @@ template <Signal S>
       const double change = std::abs(static_cast<double>(*value) - static_cast<double>(*previous));
       if (change > 0) resolution = (std::min)(resolution, change);
     }
-    if (i > 0) {
-      const double shift = next.origin - last.origin;
-      const auto count = static_cast<double>(half);
-      const double mean = (last.sum + next.sum + count * shift) / (2 * count);
-      const double squares = last.squares + next.squares + 2 * shift * next.sum + count * shift * shift;
-      spreads.push_back(std::sqrt((std::max)(0.0, squares / (2 * count) - mean * mean)));
-      peaks.push_back((std::max)((std::max)(last.greatest, next.greatest + shift) - mean,
-                                 mean - (std::min)(last.least, next.least + shift)));
-    }
+    if (i > 0) splinertia::detail::add_block(last, next, static_cast<double>(half), spreads, peaks);
     last = next;
   }
   Stillness result{static_cast<std::int64_t>(spreads.size()), 0, 0, 1};

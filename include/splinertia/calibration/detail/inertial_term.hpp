@@ -28,6 +28,25 @@ struct CalibrationRows {
   static constexpr int gyro_bias = 0, accel_bias = 3, gravity = 6, lever_arm = 8, time_offset = 11, count = 12;
 };
 
+/// Throws std::invalid_argument for options that are missing, not finite or out of range.
+template <typename Scalar>
+void check_options(const InertialOptions<Scalar>& options) {
+  require_positive("InertialOptions", "gyro_standard_deviation", options.gyro_standard_deviation);
+  require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
+  require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
+  require_positive("InertialOptions", "the magnitude of gravity", options.calibration.gravity.norm());
+  require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
+  if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
+    refuse<std::invalid_argument>("InertialOptions: time_offset is ", options.calibration.time_offset,
+                                  " s, expected a magnitude of at most largest_time_offset, ",
+                                  options.largest_time_offset);
+  }
+  const auto& from = options.calibration;
+  if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.mounting.p_BI)) {
+    refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
+  }
+}
+
 /// Two axes B orthogonal to gravity and of its length, m/s²: to first order, g + B ξ is g turned by ξ rad.
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> gravity_tangent(const Eigen::Vector3<Scalar>& gravity) {
@@ -58,20 +77,7 @@ class InertialTerm {
   InertialTerm(const Samples& samples, const InertialOptions<Scalar>& options, const Curve& curve,
                const std::vector<FitGap<Time>>& gaps = {})
       : options_(options) {
-    require_positive("InertialOptions", "gyro_standard_deviation", options.gyro_standard_deviation);
-    require_positive("InertialOptions", "accel_standard_deviation", options.accel_standard_deviation);
-    require_positive("InertialOptions", "largest_time_offset", options.largest_time_offset);
-    require_positive("InertialOptions", "the magnitude of gravity", options.calibration.gravity.norm());
-    require_finite("InertialOptions", "time_offset", options.calibration.time_offset);
-    if (options.estimate_time_offset && std::abs(options.calibration.time_offset) > options.largest_time_offset) {
-      refuse<std::invalid_argument>("InertialOptions: time_offset is ", options.calibration.time_offset,
-                                    " s, expected a magnitude of at most largest_time_offset, ",
-                                    options.largest_time_offset);
-    }
-    const auto& from = options.calibration;
-    if (!all_finite(from.gyro_bias) || !all_finite(from.accel_bias) || !all_finite(from.mounting.p_BI)) {
-      refuse<std::invalid_argument>("InertialOptions: expected biases and lever arm to be finite");
-    }
+    check_options(options);
     const double margin = options.estimate_time_offset ? options.largest_time_offset : 0;
     const double offset = options.estimate_time_offset ? 0 : options.calibration.time_offset;
     std::size_t i = 0;

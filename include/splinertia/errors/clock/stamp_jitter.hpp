@@ -26,7 +26,7 @@ template <typename Scalar = double>
 struct StampJitter {
   static constexpr std::string_view name = "stamp jitter";
 
-  /// offset ← offset − forget·offset + deviation·n, n standard normal, unless it moves by more than `most`.
+  /// offset ← offset − gain·offset + deviation·n, n standard normal, unless it moves by more than `most`.
   struct Step {
     Scalar gain, deviation, most;
   };
@@ -67,7 +67,7 @@ struct StampJitter {
     const Scalar independent = interval / Scalar(4);  // the largest deviation of independent offsets
     if (standard_deviation <= independent) return {Scalar(1), standard_deviation, most};
     const Scalar ratio = independent / standard_deviation, gain = ratio * ratio;
-    // σ√(1 − ρ²) with ρ = 1 − forget
+    // σ√(1 − ρ²) with ρ = 1 − gain
     return {gain, independent * sqrt(Scalar(2) - gain), most};
   }
 };

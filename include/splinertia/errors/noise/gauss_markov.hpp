@@ -14,7 +14,7 @@ namespace splinertia {
 namespace detail {
 
 /// One exact step of a stationary first-order Gauss–Markov (Ornstein–Uhlenbeck) process of unit variance:
-/// x ← x − forget·x + deviation·n, n standard normal. Gelb, Applied Optimal Estimation (1974), 3.6.
+/// x ← x − gain·x + deviation·n, n standard normal. Gelb, Applied Optimal Estimation (1974), 3.6.
 /// In the form exp(−h/τ)·x + …, x would no longer return to zero where the exponential is rounded to one.
 template <typename Scalar>
 struct GaussMarkovStep {
@@ -39,7 +39,7 @@ template <typename Scalar = double, int N = 1>
 struct GaussMarkov {
   static constexpr std::string_view name = "Gauss-Markov";
 
-  /// x ← x − forget·x + deviation·n, for each axis.
+  /// x ← x − gain·x + deviation·n, for each axis.
   template <int Axes>
   struct Step {
     AxisVector<Scalar, Axes> gain, deviation;

@@ -19,7 +19,7 @@ template <typename Scalar = double, int N = 1>
 struct FirstOrderBandwidth {
   static constexpr std::string_view name = "first-order bandwidth";
 
-  /// y ← y + forget·(x₀ − y) + ramp·(x₁ − x₀), from sample x₀ to sample x₁.
+  /// y ← y + gain·(x₀ − y) + ramp·(x₁ − x₀), from sample x₀ to sample x₁.
   struct Step {
     Scalar gain = Scalar(1), ramp = Scalar(0);
   };

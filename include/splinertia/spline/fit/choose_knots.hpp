@@ -109,6 +109,36 @@ struct CrossValidation {
   std::vector<KnotIntervalError> tried;
 };
 
+namespace detail {
+
+/// The error of fits at poses that they leave out: the geometric mean over the components of the RMS residual, each
+/// mean square at least `least_square`. One fit leaves out every fourth pose, another the poses halfway between those.
+/// Poses of weight zero do not count.
+template <typename Curve>
+[[nodiscard]] double left_out_error(const PosesOf<Curve>& data, const FitOptions<Curve>& options,
+                                    const typename Curve::Scalar& least_square) {
+  using Scalar = typename Curve::Scalar;
+  using Square = Tangent<typename Curve::Group>;
+  constexpr std::size_t every = 4;
+  Square squares = Square::Zero();
+  std::size_t count = 0;
+  for (const std::size_t first : {std::size_t(1), std::size_t(3)}) {
+    FitOptions<Curve> without = options;
+    // The ends are never left out, because the curve would have to be extrapolated there.
+    for (std::size_t i = first; i + 1 < data.size(); i += every) without.weights[i] = Scalar(0);
+    const Fit<Curve> result = fit<Curve>(data, without);
+    for (std::size_t i = first; i + 1 < data.size(); i += every) {
+      if (options.weights[i] == Scalar(0)) continue;
+      squares += result.residuals.poses[i].cwiseAbs2();
+      ++count;
+    }
+  }
+  squares /= static_cast<Scalar>(std::max<std::size_t>(count, 1));
+  return std::exp(static_cast<double>((squares.array().max)(least_square).log().mean()) / 2);
+}
+
+}  // namespace detail
+
 /// The knot interval that best predicts poses that are left out of the fit. Each interval is fitted twice: without
 /// every fourth pose, and without the poses halfway between those. The intervals decrease by the root of two, from one
 /// segment per 512 poses on, until the error exceeds the least by more than `tolerance` (relative) twice in a row. The
@@ -120,11 +150,10 @@ template <typename Curve, detail::StampedPoses Poses>
 [[nodiscard]] CrossValidation cross_validated_knot_interval(const Poses& poses, FitOptions<Curve> options = {},
                                                             double tolerance = 0.02) {
   using Scalar = typename Curve::Scalar;
-  constexpr std::size_t every = 4;
   const auto data = convert_poses<Curve>(poses, "cross_validated_knot_interval");
   options = detail::search_options<Curve>(std::move(options), data, {});
   options.knots.reset();
-  const auto given = options.weights.empty() ? std::vector<Scalar>(data.size(), Scalar(1)) : options.weights;
+  if (options.weights.empty()) options.weights.assign(data.size(), Scalar(1));
   const double span = to_seconds<double>(data.back().time - data.front().time);
 
   // A component that never moves has only rounding errors, which say nothing about an interval.
@@ -134,25 +163,6 @@ template <typename Curve, detail::StampedPoses Poses>
   }
   const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * size, least_square = rounding * rounding;
 
-  const auto error_of = [&](double interval) {
-    options.knot_interval = interval;
-    Tangent<typename Curve::Group> squares = Tangent<typename Curve::Group>::Zero();
-    std::size_t count = 0;
-    for (const std::size_t first : {std::size_t(1), std::size_t(3)}) {
-      options.weights = given;
-      // The ends are never left out, because the curve would have to be extrapolated there.
-      for (std::size_t i = first; i + 1 < data.size(); i += every) options.weights[i] = Scalar(0);
-      const Fit<Curve> result = fit<Curve>(data, options);
-      for (std::size_t i = first; i + 1 < data.size(); i += every) {
-        if (given[i] == Scalar(0)) continue;
-        squares += result.residuals.poses[i].cwiseAbs2();
-        ++count;
-      }
-    }
-    squares /= static_cast<Scalar>(std::max<std::size_t>(count, 1));
-    return std::exp(static_cast<double>((squares.array().max)(least_square).log().mean()) / 2);
-  };
-
   CrossValidation result{span, {}};
   double least = std::numeric_limits<double>::infinity();
   int increases = 0;
@@ -161,7 +171,8 @@ template <typename Curve, detail::StampedPoses Poses>
        segments *= std::sqrt(2.0)) {
     const double interval = span / std::round(segments);
     if (!result.tried.empty() && interval == result.tried.back().knot_interval) continue;
-    result.tried.push_back({interval, error_of(interval)});
+    options.knot_interval = interval;
+    result.tried.push_back({interval, detail::left_out_error<Curve>(data, options, least_square)});
     increases = result.tried.back().error > least * (1 + tolerance) ? increases + 1 : 0;
     least = (std::min)(least, result.tried.back().error);
     if (increases == 2) break;

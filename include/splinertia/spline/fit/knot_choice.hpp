@@ -10,10 +10,10 @@
 #include <numeric>
 #include <optional>
 #include <splinertia/detail/finite.hpp>
+#include <splinertia/group/detail/tangent_units.hpp>
 #include <splinertia/group/detail/turn_angle.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/group/detail/tangent_units.hpp>
 #include <splinertia/spline/fit/detail/pose_breaks.hpp>
 #include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/time.hpp>
@@ -35,7 +35,7 @@ struct UnbrokenPoses {
 
   explicit UnbrokenPoses(const std::vector<Stamped<G, Time>>& all) {
     constexpr std::size_t most_astray = 4;  // poses between two breaks
-    const auto breaks = detail::breaks_between(all);
+    const auto breaks = breaks_between(all);
     std::size_t from = 0;
     for (std::size_t b = 0; b < breaks.size(); ++b) {
       const auto to = static_cast<std::ptrdiff_t>(breaks[b] + 1);
@@ -45,7 +45,7 @@ struct UnbrokenPoses {
     }
     poses.insert(poses.end(), all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
     part.assign(poses.size(), 0);
-    for (const std::size_t jump : detail::breaks_between(poses)) ++part[jump + 1];
+    for (const std::size_t jump : breaks_between(poses)) ++part[jump + 1];
     std::partial_sum(part.begin(), part.end(), part.begin());
   }
 };
@@ -149,6 +149,30 @@ struct SplineErrors {
   }
 };
 
+/// Whether a spline of this order with knots h seconds apart follows a motion to within the noise of the poses: see
+/// choose_knot_interval().
+template <LieGroup G>
+[[nodiscard]] bool follows_motion(const KnotChoice<G>& choice, int order, double h, const MotionAtScale<G>& motion) {
+  const double poses_to_a_knot = h / choice.pose_interval;
+  bool all = true;
+  TangentUnits<G>::for_each([&](int first, int rows) {
+    const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
+    const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
+    for (int row = first; row < first + rows; ++row) {
+      // With evenly spaced neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
+      const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
+      const auto without_noise = [&](double square, double share) {
+        return std::sqrt((std::max)(0., square - share * own_noise));
+      };
+      const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
+      const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
+      const SplineErrors error(order, second, fourth);
+      all = all && (error.first <= noise_of_first || error.second <= 5e-4 * second);
+    }
+  });
+  return all;
+}
+
 }  // namespace detail
 
 /// Chooses the knot interval for an accurate velocity: the longest interval h for which in each component the error of
@@ -160,26 +184,6 @@ template <LieGroup G, TimePoint Time>
 [[nodiscard]] detail::KnotChoice<G> choose_knot_interval(const std::vector<Stamped<G, Time>>& poses, int order = 4) {
   const double span = to_seconds<double>(poses.back().time - poses.front().time);
   detail::KnotChoice<G> choice{0, KnotLimit::length, median_interval(poses), 0, pose_noise(poses)};
-  const auto good = [&](double h, const detail::MotionAtScale<G>& motion) {
-    const double poses_to_a_knot = h / choice.pose_interval;
-    bool all = true;
-    detail::TangentUnits<G>::for_each([&](int first, int rows) {
-      const auto noise = static_cast<double>(choice.noise.segment(first, rows).squaredNorm()) / rows;
-      const double noise_of_first = 1.5 * std::sqrt(noise / poses_to_a_knot);
-      for (int row = first; row < first + rows; ++row) {
-        // With evenly spaced neighbours, noise adds 35/18 σ² to the square of the residual, and 6 σ² to that of h² x″.
-        const auto own_noise = static_cast<double>(choice.noise[row] * choice.noise[row]);
-        const auto without_noise = [&](double square, double share) {
-          return std::sqrt((std::max)(0., square - share * own_noise));
-        };
-        const double second = without_noise(std::pow(h, 4) * static_cast<double>(motion.acceleration_square[row]), 6);
-        const double fourth = 6 * without_noise(static_cast<double>(motion.residual_square[row]), 35. / 18);
-        const detail::SplineErrors error(order, second, fourth);
-        all = all && (error.first <= noise_of_first || error.second <= 5e-4 * second);
-      }
-    });
-    return all;
-  };
   const double shortest = 1.25 * choice.pose_interval;
   const double longest = (std::max)(shortest, (std::min)(64 * choice.pose_interval, span / 8));
   choice.interval = shortest;
@@ -189,7 +193,7 @@ template <LieGroup G, TimePoint Time>
     const auto motion = detail::motion_at_scale(unbroken, (std::min)(h, longest));
     if (!motion && !any) continue;
     if (!motion) break;
-    if (!good((std::min)(h, longest), *motion)) {
+    if (!detail::follows_motion(choice, order, (std::min)(h, longest), *motion)) {
       choice.limit = any ? KnotLimit::motion : KnotLimit::poses;
       break;
     }

@@ -33,7 +33,7 @@ concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std
 
 /// The scalar of such a range.
 template <ImuSampleRange Samples>
-using ScalarOfSamples = typename detail::SampleScalar<Samples>::type;
+using ScalarOfSamples = typename SampleScalar<Samples>::type;
 
 }  // namespace detail
 

@@ -206,13 +206,6 @@ class ModelEstimates {
   void add(NoiseTerm term, bool walk_like, const Model& model, bool first, NoiseEstimates<Scalar>& result,
            Estimate<Scalar>& estimate) const {
     const ProfileLikelihood<Scalar> profile(selection_.likelihood(), model.terms, model.result);
-    const auto widen = [](Interval<Scalar>& whole, const Interval<Scalar>& more) {
-      if (whole.upper == 0) {
-        whole = more;
-      } else {
-        whole = {(std::min)(whole.lower, more.lower), (std::max)(whole.upper, more.upper)};
-      }
-    };
     const auto interval_at = [&](Scalar confidence) -> Interval<Scalar> {
       if (term == NoiseTerm::rate_ramp) return trend_interval(term, model, confidence);
       if (term == NoiseTerm::warm_up) return warm_up_interval(model, profile, confidence);
@@ -229,15 +222,7 @@ class ModelEstimates {
       estimate.value = term == NoiseTerm::rate_ramp || term == NoiseTerm::warm_up
                            ? trend_in_units(term, trend_size(model.result), model.result)
                            : (one_sigma_interval.lower + one_sigma_interval.upper) / 2;
-      const auto& likelihood = selection_.likelihood();
-      using Times = typename Fit::Times;
-      if (term == NoiseTerm::gauss_markov) {
-        result.G.time = model.result.times.correlation;
-        result.G.time_interval = profile.time(&Times::correlation, likelihood.correlation_times(), confidence_);
-      } else if (term == NoiseTerm::warm_up) {
-        result.W.time = model.result.times.decay;
-        result.W.time_interval = profile.time(&Times::decay, likelihood.decay_times(), confidence_);
-      }
+      set_time(term, profile, model, result);
     }
     // A larger model that shares the power of a detected term says nothing about its lower end.
     const auto bounded = [&](Interval<Scalar> more, const Interval<Scalar>& whole) {
@@ -246,6 +231,20 @@ class ModelEstimates {
     };
     widen(estimate.interval, bounded(interval_at(confidence_), estimate.interval));
     widen(estimate.one_sigma, bounded(one_sigma_interval, estimate.one_sigma));
+  }
+
+  /// The correlation time of G or the time constant of W; nothing for other terms.
+  void set_time(NoiseTerm term, const ProfileLikelihood<Scalar>& profile, const Model& model,
+                NoiseEstimates<Scalar>& result) const {
+    const auto& likelihood = selection_.likelihood();
+    using Times = typename Fit::Times;
+    if (term == NoiseTerm::gauss_markov) {
+      result.G.time = model.result.times.correlation;
+      result.G.time_interval = profile.time(&Times::correlation, likelihood.correlation_times(), confidence_);
+    } else if (term == NoiseTerm::warm_up) {
+      result.W.time = model.result.times.decay;
+      result.W.time_interval = profile.time(&Times::decay, likelihood.decay_times(), confidence_);
+    }
   }
 
   /// A model without slow noise gets a walk here, because one too weak to be detected still widens the interval.

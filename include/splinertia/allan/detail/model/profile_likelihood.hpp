@@ -14,6 +14,16 @@
 
 namespace splinertia::allan::detail {
 
+/// Widens an interval to include another one. An interval that ends at zero is not set yet.
+template <typename Scalar>
+void widen(Interval<Scalar>& whole, const Interval<Scalar>& more) {
+  if (whole.upper == 0) {
+    whole = more;
+  } else {
+    whole = {(std::min)(whole.lower, more.lower), (std::max)(whole.upper, more.upper)};
+  }
+}
+
 /// Profile-likelihood intervals of one description of a log. At their ends −2·log-likelihood, minimised over all other
 /// parameters, is `drop` above its minimum. Their level is the same for any function of a parameter (Wilks).
 template <typename Scalar>

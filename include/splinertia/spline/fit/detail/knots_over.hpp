@@ -82,6 +82,18 @@ template <typename K>
   }
 }
 
+/// The number of segments of this length that cover a span: span/interval if that is an integer up to rounding. Both in
+/// s. Throws std::invalid_argument if they are more than a hundred per pose.
+[[nodiscard]] inline std::size_t segment_count(double span, double interval, std::size_t poses) {
+  const double segments = (std::max)(1.0, std::ceil(span / interval * (1 - 1e-9)));
+  const double most = 100 * static_cast<double>(poses);
+  if (!(segments <= most)) {
+    refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s give more than ", most,
+                                  " segments, a hundred per pose; expected a longer interval");
+  }
+  return static_cast<std::size_t>(segments);
+}
+
 /// The knots that the options specify for these poses, and the number of control points. Poses that are after the last
 /// of UniformKnots by rounding alone are moved onto it. Throws std::invalid_argument if the knots do not cover all
 /// poses, or if UniformKnots or knot_interval give more than a hundred segments per pose.
@@ -91,27 +103,16 @@ template <typename Curve>
   using K = KnotsOf<Curve>;
   constexpr std::size_t k = Curve::order;
   const auto first = poses.front().time, last = poses.back().time;
-  const auto segments_of = [&](double span, double interval) {
-    // Exactly span/interval if that is an integer up to rounding.
-    const double quotient = span / interval;
-    const double segments = (std::max)(1.0, std::ceil(quotient * (1 - 1e-9)));
-    const double most = 100 * static_cast<double>(poses.size());
-    if (!(segments <= most)) {
-      refuse<std::invalid_argument>("fit: knots ", interval, " s apart over ", span, " s give more than ", most,
-                                    " segments, a hundred per pose; expected a longer interval");
-    }
-    return static_cast<std::size_t>(segments);
-  };
   if (options.knot_interval) {
-    const std::size_t segments = segments_of(to_seconds<double>(last - first), *options.knot_interval);
+    const std::size_t segments = segment_count(to_seconds<double>(last - first), *options.knot_interval, poses.size());
     return {even_knots<K>(first, last, segments, Curve::order), segments + k - 1};
   }
   K knots = *options.knots;
   std::size_t control_points;
   if constexpr (requires { knots.interval; }) {
     knots.check(k, Curve::order);
-    control_points = segments_of((std::max)(0.0, to_seconds<double>(time_between(knots.start, last))),
-                                 to_seconds<double>(knots.interval)) +
+    control_points = segment_count((std::max)(0.0, to_seconds<double>(time_between(knots.start, last))),
+                                   to_seconds<double>(knots.interval), poses.size()) +
                      k - 1;
     knots.check(control_points, Curve::order);
     const auto end = knots.domain(control_points, Curve::order).end;

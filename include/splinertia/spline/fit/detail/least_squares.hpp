@@ -30,7 +30,7 @@ struct Minimum {
 /// is damped as by Levenberg and Marquardt (Nocedal, Wright, Numerical Optimization, 2nd ed., 10.3). A model has
 ///
 ///   cost = model.linearize(state, system)   adds the normal equations at `state` to the cleared `system`
-///   model.moved(state, step)                the state, moved by a step
+///   model.retracted(state, step)            the state, moved by a step
 ///
 /// On return `system` holds the normal equations at the final state, and `factor` the factorisation of the last step.
 template <typename Model, typename State, typename System>
