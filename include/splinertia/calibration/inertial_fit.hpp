@@ -79,7 +79,7 @@ class InertialModel {
 
   [[nodiscard]] InertialState<Curve> retracted(const InertialState<Curve>& state,
                                                const typename InertialSystem<Curve>::Vector& step) const {
-    return {retracted(state.curve, step.blocks), samples_.retracted(state.calibration, step.border)};
+    return {detail::retracted(state.curve, step.blocks), samples_.retracted(state.calibration, step.border)};
   }
 
  private:
