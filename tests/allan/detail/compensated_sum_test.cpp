@@ -11,8 +11,6 @@ using splinertia::allan::detail::CompensatedSum;
 
 namespace {
 
-using namespace splinertia::detail;
-
 template <typename Scalar>
 constexpr Scalar sum_of(auto... summands) {
   CompensatedSum<Scalar> sum;

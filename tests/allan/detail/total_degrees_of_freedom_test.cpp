@@ -127,7 +127,7 @@ TEST_CASE("The scatter of simulated total deviations is that of their degrees of
   for (const Trial& trial :
        {Trial{2, 1, 0.70}, Trial{2, 16, 0.74}, Trial{2, 96, 0.81}, Trial{0, 1, 0.70}, Trial{0, 16, 0.71},
         Trial{0, 96, 0.74}, Trial{-2, 1, 0.70}, Trial{-2, 16, 0.72}, Trial{-2, 96, 0.76}}) {
-    NormalStream<> normal(StreamKey(5));  // the same numbers with every standard library
+    splinertia::NormalStream<> normal(splinertia::StreamKey(5));  // the same numbers with every standard library
     std::vector<double> variances;
     double mean = 0, squares = 0;
     for (int i = 0; i < trials; ++i) {

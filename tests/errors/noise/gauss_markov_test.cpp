@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE("One step keeps the variance, from the shortest to the longes
   for (double h = 1e-30; h < 1e30; h *= 1.7) {
     INFO(h << " correlation times");
     const GaussMarkovStep<Scalar> step{static_cast<Scalar>(h)};
-    const double forget = static_cast<double>(step.forget), deviation = static_cast<double>(step.deviation);
+    const double forget = static_cast<double>(step.gain), deviation = static_cast<double>(step.deviation);
     const double exact = -std::expm1(-static_cast<double>(static_cast<Scalar>(h)));
     CHECK_THAT(forget, WithinRel(exact, 4 * eps));
     CHECK_THAT(deviation * deviation, WithinRel(exact * (2 - exact), 8 * eps));

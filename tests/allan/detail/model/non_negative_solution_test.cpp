@@ -12,8 +12,6 @@ using splinertia::allan::detail::non_negative_solution;
 
 namespace {
 
-using namespace splinertia::detail;
-
 constexpr int size = 4;
 using Vector = Eigen::Vector4d;
 using Matrix = Eigen::Matrix4d;
