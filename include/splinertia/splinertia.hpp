@@ -7,7 +7,6 @@
 
 #include <splinertia/allan/analysis.hpp>
 #include <splinertia/allan/curve.hpp>
-#include <splinertia/allan/detail/deviation_misfit.hpp>
 #include <splinertia/allan/expected_accuracy.hpp>
 #include <splinertia/allan/fit_curve.hpp>
 #include <splinertia/allan/identify.hpp>

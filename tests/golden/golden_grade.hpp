@@ -26,8 +26,6 @@
 
 namespace golden {
 
-using namespace splinertia::detail;
-
 enum class Grade { A, B };
 
 inline constexpr double value_limit = 4;

@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace splinertia::detail;
-
 /// A table in a temporary file.
 class TemporaryTable {
  public:

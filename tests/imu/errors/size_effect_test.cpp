@@ -25,8 +25,8 @@ double worst_error(double rate, int skipped) {
   for (const auto& r : simulate(motion, imu, {.rate = rate, .start = 0.0, .end = 5.0})) {
     if (n++ < skipped) continue;
     for (int i = 0; i < 3; ++i) {
-      const LeverArm<double> arm{Sophus::SO3d(), positions.col(i)};
-      const auto ideal = ideal_imu(motion.evaluate<2>(r.time), standard_gravity<double>(), arm);
+      const Mounting<double> mounting{Sophus::SO3d(), positions.col(i)};
+      const auto ideal = ideal_imu(motion.evaluate<2>(r.time), standard_gravity<double>(), mounting);
       worst = std::max(worst, std::abs(r.accel[i] - ideal.accel[i]));
     }
   }
