@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/program.hpp"
 #include "support/whole_number_option.hpp"
 
@@ -224,14 +225,8 @@ void run(const Options& o) {
   }
   if (!o.csv.empty()) {
     AtomicFile file(o.csv);
-    file.append("quantity,unit,initial,final\n");
-    for (const Row& row : rows) {
-      file.append(concat(row.quantity, ',', row.unit, ','));
-      file.append_real(before.*row.error);
-      file.append(',');
-      file.append_real(after.*row.error);
-      file.append('\n');
-    }
+    CsvTable table(file, {"quantity", "unit", "initial", "final"});
+    for (const Row& row : rows) table.row(row.quantity, row.unit, before.*row.error, after.*row.error);
     file.commit();
   }
   if (summary.termination_type != ceres::CONVERGENCE) throw std::runtime_error("no convergence: " + summary.message);
