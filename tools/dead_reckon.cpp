@@ -245,7 +245,7 @@ CLI::Option* add_options(CLI::App& app, Options& o) {
                  "gaps between poses have no true states")
       ->capture_default_str();
   app.add_flag("--bridge-gaps", o.bridge, "integrate across longer gaps between samples, and count them");
-  app.add_option("--csv", o.csv, "also write the table to this file");
+  add_csv_option(app, o.csv, "also write the table to this file");
   return gravity;
 }
 

@@ -17,10 +17,10 @@
 #include <splinertia/splinertia.hpp>
 #include <vector>
 
+#include "support/common_options.hpp"
 #include "support/concat.hpp"
 #include "support/csv_table.hpp"
 #include "support/program.hpp"
-#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -246,8 +246,8 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--iterations", o.iterations, "largest number of iterations")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  add_whole_number_option(app, "--seed", o.seed, "seed of the noise; gives the same measurements on every machine");
-  app.add_option("--csv", o.csv, "also write the table of errors to this file");
+  add_seed_option(app, o.seed, "seed of the noise; gives the same measurements on every machine");
+  add_csv_option(app, o.csv, "also write the table of errors to this file");
 }
 
 /// Throws std::invalid_argument for an option that is out of range. Most are divisors and must be positive.
