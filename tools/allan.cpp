@@ -4,25 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
-#include <splinertia/allan/curve.hpp>
 #include <splinertia/io/number_text.hpp>
 #include <splinertia/io/text_file.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "allan/deviation.hpp"
 #include "support/allan_analysis.hpp"
 #include "support/allan_files.hpp"
 #include "support/allan_report.hpp"
+#include "support/common_options.hpp"
 #include "support/concat.hpp"
 #include "support/imu_log.hpp"
 #include "support/imu_noise.hpp"
@@ -44,15 +41,6 @@ struct Options {
   std::vector<std::string> for_estimators;
   bool no_plot = false;
   unsigned threads = 1;
-};
-
-struct DeviationOptions {
-  std::filesystem::path file;
-  std::string type = "oadev", factors = "octave", intervals = "published";
-  double rate = 1;
-  bool rate_data = false, phase_data = false;
-  double confidence = 0.683;  // as in Stable32; one sigma is 0.6827
-  std::optional<int> alpha;
 };
 
 allan::NoiseTerms terms_of(const std::vector<std::string>& symbols) {
@@ -104,75 +92,12 @@ void analyse_log(Options o) {
   if (!o.no_plot) draw_plot(o.reading.python, "allan", o.output);
 }
 
-allan::AveragingFactors factors_of(const std::string& text) {
-  if (text == "all") return allan::AveragingFactors::all();
-  if (text == "octave") return allan::AveragingFactors::octave();
-  if (text == "decade") return allan::AveragingFactors::decade();
-  if (text == "log") return allan::AveragingFactors::logarithmic();
-  std::vector<std::string_view> words;
-  split_fields(text, words);
-  if (words.empty()) words.push_back(text);
-  std::vector<std::int64_t> factors;
-  for (const std::string_view word : words) {
-    const Parsed<std::int64_t> factor = parse_integer(word);
-    if (factor.problem) {
-      throw std::invalid_argument(
-          concat("--factors: ", excerpt(word), ' ', factor.problem, ", expected all, octave, decade, log or 1,2,5"));
-    }
-    factors.push_back(factor.value);
-  }
-  return allan::AveragingFactors::given(std::move(factors));
-}
-
-using Curve = allan::DeviationCurve<double>;
-using Signal = allan::IntegratedSignal<double>;
-using Settings = allan::DeviationOptions<double>;
-const std::map<std::string, Curve (*)(const Signal&, const Settings&)> deviations{
-    {"adev", allan::curve<allan::AllanDeviation, double>},
-    {"oadev", allan::curve<allan::OverlappingAllanDeviation, double>},
-    {"mdev", allan::curve<allan::ModifiedAllanDeviation, double>},
-    {"tdev", allan::curve<allan::TimeDeviation, double>},
-    {"hdev", allan::curve<allan::HadamardDeviation, double>},
-    {"ohdev", allan::curve<allan::OverlappingHadamardDeviation, double>},
-    {"totdev", allan::curve<allan::TotalDeviation, double>}};
-
-std::string text_of(double value) {
-  std::array<char, number_text_size> text{};
-  return {text.data(), real_to_chars(text.data(), value)};
-}
-
-void print_deviation(const DeviationOptions& o) {
-  Settings settings{.factors = factors_of(o.factors), .confidence = o.confidence, .alpha = o.alpha};
-  if (o.intervals == "exact") settings.phase_model = allan::PhaseModel::sampled;
-  const std::vector<double> numbers = read_numbers(o.file);
-  const auto curve_of = [&] {
-    try {
-      const Signal signal = o.phase_data ? Signal::from_integral(numbers, o.rate) : Signal(numbers, o.rate);
-      return deviations.at(o.type)(signal, settings);
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(concat(o.file.string(), ": ", error.what()));
-    }
-  };
-  const Curve curve = curve_of();
-  std::puts("m,tau,n,deviation,lower,upper,alpha");
-  for (const auto& point : curve.points) {
-    std::printf("%s,%s,%s,%s,%s,%s,%d\n", std::to_string(point.factor).c_str(), text_of(point.tau).c_str(),
-                std::to_string(point.terms).c_str(), text_of(point.deviation).c_str(),
-                text_of(point.interval.lower).c_str(), text_of(point.interval.upper).c_str(), point.alpha);
-  }
-}
-
-void add_options(CLI::App& app, Options& o) {
-  ImuLogOptions& reading = o.reading;
-  reading.python = default_python();
-  app.add_option("log", o.log,
-                 "log of an IMU at rest: EuRoC csv, another table (--columns), or a ROS bag (.bag, .mcap, a ROS 2 "
-                 "folder)");
+void add_table_options(CLI::App& app, ImuLogOptions& reading) {
   app.add_option("--columns", reading.columns,
                  "columns of a table, such as t,gx,gy,gz,-,ax,ay,az: time, gyroscope, accelerometer, - for a column to "
                  "ignore; default: those of EuRoC")
       ->delimiter(',');
-  app.add_option("--rate", reading.rate, "sampling rate [Hz], for a table without times");
+  add_rate_option(app, reading.rate, "sampling rate [Hz], for a table without times");
   app.add_option("--time-unit", reading.time_unit,
                  "unit of column t; default: ns for a EuRoC file; with --columns s, or what the digits show")
       ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
@@ -180,6 +105,9 @@ void add_options(CLI::App& app, Options& o) {
       ->check(CLI::IsMember({"rad/s", "deg/s"}));
   app.add_option("--accel-unit", reading.accel_unit, "unit of the accelerometer; default: m/s2")
       ->check(CLI::IsMember({"m/s2", "g", "mg"}));
+}
+
+void add_span_options(CLI::App& app, ImuLogOptions& reading) {
   app.add_option("--skip", reading.skip, "leave out the beginning, while the sensor warms up [s]")
       ->capture_default_str();
   app.add_option("--until", reading.until, "leave out everything after this time [s from the beginning]");
@@ -187,6 +115,9 @@ void add_options(CLI::App& app, Options& o) {
                  "leave out a time span A-B, such as a knock [s from the beginning of the log], and join the parts "
                  "before and after; may be repeated")
       ->allow_extra_args(false);
+}
+
+void add_sampling_options(CLI::App& app, ImuLogOptions& reading) {
   app.add_option("--most-missing", reading.limits.missing, "largest accepted fraction of missing samples")
       ->capture_default_str();
   app.add_option("--most-jitter", reading.limits.jitter,
@@ -197,12 +128,18 @@ void add_options(CLI::App& app, Options& o) {
       "the times are arrival times, with bursts or jitter: compute the rate from the number of samples and the span");
   app.add_flag("--drop-duplicates", reading.drop_duplicates, "leave out rows with the same time as the previous row");
   app.add_option("--topic", reading.topic, "topic of a ROS bag, if it has several with IMU messages");
+}
+
+void add_accel_log_options(CLI::App& app, ImuLogOptions& reading) {
   app.add_option("--accel-log", reading.accel_log,
                  "log of the accelerometer, if the first log has only the gyroscope; each keeps its own rate");
   app.add_option("--accel-columns", reading.accel_columns, "columns of --accel-log; default: t,ax,ay,az")
       ->delimiter(',');
   app.add_option("--accel-rate", reading.accel_rate, "sampling rate of --accel-log [Hz], for a table without times");
   app.add_option("--accel-topic", reading.accel_topic, "topic of --accel-log");
+}
+
+void add_identify_options(CLI::App& app, Options& o) {
   app.add_option(
          "--terms", o.terms,
          "noise terms to look for: N white noise, K random walk, B bias instability, Q quantization noise, R rate "
@@ -218,41 +155,36 @@ void add_options(CLI::App& app, Options& o) {
       ->allow_extra_args(false);
   app.add_flag("!--keep-misfits", o.identify.exclude_misfits,
                "keep frequency bands whose power is not that of noise (lines, resonances, filters)");
-  app.add_option(
-         "-o,--output", o.output,
-         "folder for curves.csv (exists only if all files are complete), noise.csv, spectrum.csv, findings.csv, the "
-         "files for estimators, allan.png and .svg")
-      ->capture_default_str();
+}
+
+void add_file_options(CLI::App& app, Options& o) {
+  add_output_option(
+      app, o.output,
+      "folder for curves.csv (exists only if all files are complete), noise.csv, spectrum.csv, findings.csv, the "
+      "files for estimators, allan.png and .svg");
   o.for_estimators = estimator_names();
   app.add_option("--estimators", o.for_estimators,
                  "estimators to write a file with N and K for: imu.yaml for Kalibr, else NAME_imu.yaml")
       ->delimiter(',')
       ->check(CLI::IsMember(estimator_names()))
       ->capture_default_str();
-  app.add_flag("--no-plot", o.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
+  add_no_plot_option(app, o.no_plot, "allan");
   app.add_option("--threads", o.threads,
                  "number of axes of a sensor to analyse at once; 0: as many as the machine runs at once")
       ->capture_default_str();
-  app.add_option("--python", reading.python,
-                 "Python interpreter for plots and ROS bags; default: $SPLINERTIA_PYTHON or python3")
-      ->capture_default_str();
+  add_python_option(app, o.reading.python, "for plots and ROS bags");
 }
 
-void add_deviation_options(CLI::App& app, DeviationOptions& o) {
-  app.add_option("file", o.file, "file with one number per line and # comments; - is the standard input")->required();
-  app.add_option("--type", o.type, "type of deviation")->check(CLI::IsMember(deviations))->capture_default_str();
-  app.add_option("--rate", o.rate, "sampling rate [Hz]")->capture_default_str();
-  auto* phase = app.add_flag("--phase-data", o.phase_data, "the numbers are integrals (phase [s], angle)");
-  app.add_flag("--rate-data", o.rate_data, "the numbers are rates (the default)")->excludes(phase);
-  app.add_option("--factors", o.factors, "averaging factors [samples]: all, octave, decade, log, or numbers: 1,2,5")
-      ->capture_default_str();
-  app.add_option("--confidence", o.confidence, "confidence level of the intervals")->capture_default_str();
-  app.add_option("--intervals", o.intervals,
-                 "published: as in Greenhall and Riley 2003 and Stable32; exact: for numbers that are samples")
-      ->check(CLI::IsMember({"published", "exact"}))
-      ->capture_default_str();
-  app.add_option("--alpha", o.alpha, "power law of the spectrum, for the intervals; default: identified at each factor")
-      ->check(CLI::Range(-4, 2));
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("log", o.log,
+                 "log of an IMU at rest: EuRoC csv, another table (--columns), or a ROS bag (.bag, .mcap, a ROS 2 "
+                 "folder)");
+  add_table_options(app, o.reading);
+  add_span_options(app, o.reading);
+  add_sampling_options(app, o.reading);
+  add_accel_log_options(app, o.reading);
+  add_identify_options(app, o);
+  add_file_options(app, o);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "compare_trajectories/comparison.hpp"
 #include "compare_trajectories/options.hpp"
 #include "compare_trajectories/output.hpp"
+#include "support/common_options.hpp"
 #include "support/concat.hpp"
 #include "support/inputs.hpp"
 #include "support/program.hpp"
@@ -56,13 +57,7 @@ void run(const Options& o) {
   }
 }
 
-void add_options(CLI::App& app, Options& o) {
-  o.python = default_python();
-  app.add_option("reference", o.reference.file, "reference trajectory: a file or a ROS bag")->required();
-  app.add_option("estimate", o.estimate.file, "estimated trajectory: a file or a ROS bag")->required();
-  add_trajectory_options(app, o.reference, nullptr, "reference");
-  add_trajectory_options(app, o.estimate, nullptr, "estimate");
-
+void add_time_options(CLI::App& app, Options& o) {
   const char* const time = "Time";
   app.add_option("--max-difference", o.max_difference, "largest time difference of a pair [s]")
       ->capture_default_str()
@@ -77,7 +72,9 @@ void add_options(CLI::App& app, Options& o) {
       ->needs(estimated)
       ->capture_default_str()
       ->group(time);
+}
 
+void add_alignment_options(CLI::App& app, Options& o) {
   const char* const place = "Alignment";
   app.add_option("--align", o.align,
                  "none; origin: the first poses coincide; yaw: heading about z and translation; se3, sim3: least "
@@ -88,7 +85,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--align-poses", o.align_poses, "align with this many pairs only, from the first; default: all")
       ->check(CLI::Range(1, 1000000000))
       ->group(place);
+}
 
+void add_relative_options(CLI::App& app, Options& o) {
   const char* const relative = "Relative errors";
   app.add_option("--delta", o.delta, "interval of RPE: frames, seconds, or metres of the estimate's path")
       ->capture_default_str()
@@ -102,15 +101,26 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--lengths", o.lengths, "lengths of the reference's path to compute drift over [m]")
       ->capture_default_str()
       ->group(relative);
+}
 
+void add_file_options(CLI::App& app, Options& o) {
   const char* const files = "Files";
-  app.add_option("--csv", o.csv, "also write the table to this file, with all digits")->group(files);
+  add_csv_option(app, o.csv, "also write the table to this file, with all digits")->group(files);
   app.add_option("--errors", o.errors, "write the absolute errors of all pairs to this file (csv)")->group(files);
   app.add_option("--plot", o.plot, "draw paths and errors to this .png or .svg file; needs Python with matplotlib")
       ->group(files);
-  app.add_option("--python", o.python, "Python interpreter for the plot; default: $SPLINERTIA_PYTHON or python3")
-      ->capture_default_str()
-      ->group(files);
+  add_python_option(app, o.python)->group(files);
+}
+
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("reference", o.reference.file, "reference trajectory: a file or a ROS bag")->required();
+  app.add_option("estimate", o.estimate.file, "estimated trajectory: a file or a ROS bag")->required();
+  add_trajectory_options(app, o.reference, nullptr, "reference");
+  add_trajectory_options(app, o.estimate, nullptr, "estimate");
+  add_time_options(app, o);
+  add_alignment_options(app, o);
+  add_relative_options(app, o);
+  add_file_options(app, o);
 }
 
 void check(const Options& o) {

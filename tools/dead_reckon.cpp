@@ -23,6 +23,7 @@
 #include "dead_reckon/setup.hpp"
 #include "dead_reckon/truth.hpp"
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/inputs.hpp"
 #include "support/program.hpp"
 #include "support/trajectory_input.hpp"
@@ -144,16 +145,10 @@ std::array<double, 6> figures(const Row& row) {
 
 void write_table(const std::filesystem::path& path, const std::vector<Row>& rows, FileSet& files) {
   AtomicFile file(path);
-  file.append(
-      "window_s,runs,skipped,gaps,position_median_m,position_90_m,position_max_m,attitude_median_deg,attitude_90_deg,"
-      "attitude_max_deg\n");
+  CsvTable table(file, {"window_s", "runs", "skipped", "gaps", "position_median_m", "position_90_m", "position_max_m",
+                        "attitude_median_deg", "attitude_90_deg", "attitude_max_deg"});
   for (const Row& row : rows) {
-    file.append(concat(row.window, ',', row.position.size(), ',', row.skipped, ',', row.gaps));
-    for (const double figure : figures(row)) {
-      file.append(',');
-      file.append_real(figure);
-    }
-    file.append('\n');
+    table.row(short_number(row.window), row.position.size(), row.skipped, row.gaps, figures(row));
   }
   file.commit(files);
   files.commit();
@@ -250,7 +245,7 @@ CLI::Option* add_options(CLI::App& app, Options& o) {
                  "gaps between poses have no true states")
       ->capture_default_str();
   app.add_flag("--bridge-gaps", o.bridge, "integrate across longer gaps between samples, and count them");
-  app.add_option("--csv", o.csv, "also write the table to this file");
+  add_csv_option(app, o.csv, "also write the table to this file");
   return gravity;
 }
 

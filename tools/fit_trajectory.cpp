@@ -90,20 +90,17 @@ void add_imu_options(CLI::App& app, FitImu& imu) {
 }
 
 void add_options(CLI::App& app, Options& o) {
-  o.python = default_python();
   auto* trajectory = app.add_option("trajectory", o.input.file, "trajectory of any format below, or a ROS bag");
   trajectory->required();
-  app.add_option(
-         "-o,--output", o.output,
-         "folder for control_points.csv (exists only if all files are complete), knots.csv, residuals.csv, gaps.csv, "
-         "derived_imu.csv (EuRoC), imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg")
-      ->capture_default_str();
-  app.add_option("--rate", o.rate, "sampling rate of derived_imu.csv [Hz]")->capture_default_str();
+  add_output_option(
+      app, o.output,
+      "folder for control_points.csv (exists only if all files are complete), knots.csv, residuals.csv, gaps.csv, "
+      "derived_imu.csv (EuRoC), imu_residuals.csv, calibration.yaml, smoothed.tum, report.txt, fit.png and .svg");
+  add_rate_option(app, o.rate, "sampling rate of derived_imu.csv [Hz]");
   app.add_flag("--keep-holes", o.keep_holes, "keep the readings inside holes without poses, which are invented");
   add_gravity_option(app, o.gravity);
-  app.add_flag("--no-plot", o.no_plot, "do not draw fit.png and .svg, which need Python with matplotlib");
-  app.add_option("--python", o.python, "Python interpreter for the plot; default: $SPLINERTIA_PYTHON or python3")
-      ->capture_default_str();
+  add_no_plot_option(app, o.no_plot, "fit");
+  add_python_option(app, o.python);
   add_trajectory_options(app, o.input);
   add_fit_options(app, o.fit, trajectory);
   add_imu_options(app, o.imu);

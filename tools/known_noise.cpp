@@ -16,12 +16,12 @@
 
 #include "support/allan_analysis.hpp"
 #include "support/allan_files.hpp"
+#include "support/common_options.hpp"
 #include "support/formatted.hpp"
 #include "support/imu_log.hpp"
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/python_script.hpp"
-#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -33,7 +33,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::string format = "bag";
   std::filesystem::path output = "known_noise";
-  std::string python = default_python();
+  std::string python;
   bool no_plot = false;
 };
 
@@ -128,18 +128,15 @@ const Program this_program{
       app.add_option("--duration", options.duration, "duration [s]")
           ->check(CLI::Range(10.0, 1e6))
           ->capture_default_str();
-      app.add_option("--rate", options.rate, "sampling rate [Hz]")->check(CLI::Range(1.0, 1e5))->capture_default_str();
-      add_whole_number_option(app, "--seed", options.seed, "seed of the random numbers");
+      add_rate_option(app, options.rate)->check(CLI::Range(1.0, 1e5));
+      add_seed_option(app, options.seed, "seed of the random numbers");
       app.add_option("--format", options.format, "format of the ROS bag: bag of ROS 1, mcap or db3 of ROS 2")
           ->check(CLI::IsMember({"bag", "mcap", "db3"}))
           ->capture_default_str();
-      app.add_option("-o,--output", options.output,
-                     "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …")
-          ->capture_default_str();
-      app.add_flag("--no-plot", options.no_plot, "do not draw allan.png and .svg, which need Python with matplotlib");
-      app.add_option("--python", options.python,
-                     "Python interpreter with rosbags; default: $SPLINERTIA_PYTHON or python3")
-          ->capture_default_str();
+      add_output_option(app, options.output,
+                        "output folder, with a folder for each IMU: imu.csv, imu.bag, curves.csv, noise.csv, …");
+      add_no_plot_option(app, options.no_plot, "allan");
+      add_python_option(app, options.python, "with rosbags");
       return [] {
         for (const KnownImu& known : known_imus) run(known, options);
       };

@@ -25,6 +25,7 @@
 #include "simulate_imu/output.hpp"
 #include "support/any_trajectory.hpp"
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/error_yaml.hpp"
 #include "support/extremes.hpp"
 #include "support/fit_report.hpp"
@@ -81,7 +82,7 @@ class Run {
       throw std::runtime_error(concat("none of ", samples_, " samples is left: ", dropped_, " dropped, ", left_out(),
                                       " in holes without poses (--keep-holes keeps these)"));
     }
-    if (AtomicFile* table = output_.table()) write(*table);
+    if (AtomicFile* file = output_.table()) write(*file);
     const std::string names = output_.commit();
     if (dropped_ > 0) std::printf("%zu sample%s dropped\n", dropped_, dropped_ == 1 ? " was" : "s were");
     print_holes();
@@ -131,10 +132,9 @@ class Run {
     noisy_.print();
   }
 
-  void write(AtomicFile& table) {
-    table.append(
-        "imu,scheme,position_rms_m,position_max_m,position_end_m,attitude_rms_deg,attitude_max_deg,"
-        "attitude_end_deg\n");
+  void write(AtomicFile& file) const {
+    CsvTable table(file, {"imu", "scheme", "position_rms_m", "position_max_m", "position_end_m", "attitude_rms_deg",
+                          "attitude_max_deg", "attitude_end_deg"});
     ideal_.write(table);
     noisy_.write(table);
   }

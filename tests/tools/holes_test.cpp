@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../../tools/support/holes.hpp"
 
+#include "../io/temporary_directory.hpp"
 #include "support/catch.hpp"
 
 using std::chrono::nanoseconds;
@@ -19,5 +20,10 @@ TEST_CASE("holes in words and as a table") {
                                 {nanoseconds(2'000'000'000), nanoseconds(4'000'000'000)}};
   CHECK(hole_lines(holes, nanoseconds(1'000'000'000), 1) == std::vector<std::string>{"0.500 - 0.750 s", "and 1 more"});
   CHECK(hole_lines(holes, nanoseconds(0), 2, {"a", "b"})[1] == "2.000 - 4.000 s: b");
-  CHECK(holes_csv(holes) == "#start [ns],end [ns],length [s]\n1500000000,1750000000,0.25\n2000000000,4000000000,2\n");
+  const splinertia::test::TemporaryDirectory folder;
+  splinertia::AtomicFile file(folder / "gaps.csv");
+  write_holes(file, holes);
+  file.commit();
+  CHECK(splinertia::test::content(folder / "gaps.csv") ==
+        "#start [ns],end [ns],length [s]\n1500000000,1750000000,0.25\n2000000000,4000000000,2\n");
 }

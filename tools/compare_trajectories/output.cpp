@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/formatted.hpp"
 #include "support/python_script.hpp"
 
@@ -82,37 +83,21 @@ void print(const Comparison& c, std::size_t reference_poses, std::size_t estimat
 
 void write_table(const std::filesystem::path& path, const Comparison& c, FileSet& files) {
   AtomicFile file(path);
-  file.append("metric,part,unit,count,rmse,mean,median,std,min,max,sse\n");
+  CsvTable table(file, {"metric", "part", "unit", "count", "rmse", "mean", "median", "std", "min", "max", "sse"});
   for (const auto& [metric, part, unit, e] : c.rows) {
-    file.append(concat(metric, ',', part, ',', unit, ',', e.count));
-    for (const double figure : {e.rmse, e.mean, e.median, e.standard_deviation, e.min, e.max, e.sse}) {
-      file.append(',');
-      file.append_real(figure);
-    }
-    file.append('\n');
+    table.row(metric, part, unit, e.count, e.rmse, e.mean, e.median, e.standard_deviation, e.min, e.max, e.sse);
   }
   file.commit(files);
 }
 
 void write_errors(const std::filesystem::path& path, const Comparison& c, FileSet& files) {
   AtomicFile file(path);
-  file.append(
-      "#timestamp [ns],reference_x [m],reference_y [m],reference_z [m],estimate_x [m],estimate_y [m],estimate_z [m],"
-      "translation_error [m],rotation_error [deg]\n");
+  CsvTable table(file, {"#timestamp [ns]", "reference_x [m]", "reference_y [m]", "reference_z [m]", "estimate_x [m]",
+                        "estimate_y [m]", "estimate_z [m]", "translation_error [m]", "rotation_error [deg]"});
   for (std::size_t i = 0; i < c.pairs.size(); ++i) {
     const auto& [time, reference, estimate] = c.pairs[i];
-    file.append_integer(time.count());
-    for (const Eigen::Vector3d& p : {position(reference), position(estimate)}) {
-      for (const double coordinate : p) {
-        file.append(',');
-        file.append_real(coordinate);
-      }
-    }
-    for (const double error : {c.absolute[i].translation, c.absolute[i].rotation / units::degree}) {
-      file.append(',');
-      file.append_real(error);
-    }
-    file.append('\n');
+    table.row(time, position(reference), position(estimate), c.absolute[i].translation,
+              c.absolute[i].rotation / units::degree);
   }
   file.commit(files);
 }

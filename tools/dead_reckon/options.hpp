@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/gravity_option.hpp"
+#include "support/common_options.hpp"
 #include "support/trajectory_input.hpp"
 
 /// The command-line options.

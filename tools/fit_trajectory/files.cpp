@@ -8,6 +8,7 @@
 #include "files.hpp"
 #include "support/calibration_file.hpp"
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/formatted.hpp"
 #include "support/progress.hpp"
 
@@ -15,17 +16,6 @@ using namespace splinertia;
 using std::chrono::nanoseconds;
 
 namespace {
-
-void append_row(AtomicFile& file, nanoseconds time, const auto&... vectors) {
-  file.append_integer(time.count());
-  const auto append = [&file](const auto& vector) {
-    for (Eigen::Index i = 0; i < vector.size(); ++i) {
-      file.append(',');
-      file.append_real(vector[i]);
-    }
-  };
-  (append(vectors), ...);
-}
 
 /// After the comments the file is EuRoC ground truth with 8 columns.
 void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, const Options& o) {
@@ -40,41 +30,37 @@ void write_control_points(AtomicFile& file, const FittedTrajectory& fitted, cons
     file.append(concat("# knots: non-uniform, see knots.csv\n# start [ns]: ", fitted.curve.start().count(),
                        "\n# from knot i to knot i + 1 it uses control points i - ", o.fit.order - 1, " to i\n"));
   }
-  file.append(concat("# end [ns]: ", fitted.curve.end().count(),
-                     "\n#timestamp [ns],p_x [m],p_y [m],p_z [m],q_w [],q_x [],q_y [],q_z []\n"));
+  file.append(concat("# end [ns]: ", fitted.curve.end().count(), '\n'));
+  CsvTable table(file, {"#timestamp [ns]", "p_x [m]", "p_y [m]", "p_z [m]", "q_w []", "q_x []", "q_y []", "q_z []"});
   for (const auto& [time, pose] : fitted.control_points) {
     const Eigen::Quaterniond& q = rotation(pose).unit_quaternion();
-    append_row(file, time, position(pose), Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()));
-    file.append('\n');
+    table.row(time, position(pose), q.w(), q.x(), q.y(), q.z());
   }
 }
 
 void write_residuals(AtomicFile& file, const FittedTrajectory& fitted) {
-  file.append(
-      "#timestamp [ns],rotation_x [rad],rotation_y [rad],rotation_z [rad],position_x [m],position_y [m],"
-      "position_z [m],outlier\n");
+  CsvTable table(file, {"#timestamp [ns]", "rotation_x [rad]", "rotation_y [rad]", "rotation_z [rad]", "position_x [m]",
+                        "position_y [m]", "position_z [m]", "outlier"});
   auto outlier = fitted.outliers.begin();
   for (std::size_t i = 0; i < fitted.smoothed.size(); ++i) {
-    append_row(file, fitted.smoothed[i].time, fitted.distances.rotation[i], fitted.distances.position[i]);
     const bool is_outlier = outlier != fitted.outliers.end() && *outlier == i;
     if (is_outlier) ++outlier;
-    file.append(is_outlier ? ",1\n" : ",0\n");
+    table.row(fitted.smoothed[i].time, fitted.distances.rotation[i], fitted.distances.position[i], is_outlier);
   }
 }
 
 void write_knots(AtomicFile& file, const FittedTrajectory& fitted) {
-  file.append("#knot [ns]\n");
-  for (const nanoseconds knot : fitted.knots) file.append(concat(knot.count(), '\n'));
+  CsvTable table(file, {"#knot [ns]"});
+  for (const nanoseconds knot : fitted.knots) table.row(knot);
 }
 
 void write_samples(AtomicFile& file, const FittedImu& imu) {
-  file.append(
-      "#timestamp [ns],gyro_x [rad/s],gyro_y [rad/s],gyro_z [rad/s],accel_x [m/s^2],accel_y [m/s^2],accel_z [m/s^2],"
-      "gyro_residual_x [rad/s],gyro_residual_y [rad/s],gyro_residual_z [rad/s],accel_residual_x [m/s^2],"
-      "accel_residual_y [m/s^2],accel_residual_z [m/s^2],invented\n");
+  CsvTable table(file, {"#timestamp [ns]", "gyro_x [rad/s]", "gyro_y [rad/s]", "gyro_z [rad/s]", "accel_x [m/s^2]",
+                        "accel_y [m/s^2]", "accel_z [m/s^2]", "gyro_residual_x [rad/s]", "gyro_residual_y [rad/s]",
+                        "gyro_residual_z [rad/s]", "accel_residual_x [m/s^2]", "accel_residual_y [m/s^2]",
+                        "accel_residual_z [m/s^2]", "invented"});
   for (const SampleResidual& sample : imu.samples) {
-    append_row(file, sample.time, sample.gyro, sample.accel, sample.gyro_residual, sample.accel_residual);
-    file.append(sample.invented ? ",1\n" : ",0\n");
+    table.row(sample.time, sample.gyro, sample.accel, sample.gyro_residual, sample.accel_residual, sample.invented);
   }
 }
 
@@ -108,7 +94,7 @@ WrittenFiles write_files(const FittedTrajectory& fitted, const std::string& repo
   write_control_points(begin("control_points.csv"), fitted, o);
   if (!fitted.knots.empty()) write_knots(begin("knots.csv"), fitted);
   write_residuals(begin("residuals.csv"), fitted);
-  begin("gaps.csv").append(holes_csv(fitted.holes));
+  write_holes(begin("gaps.csv"), fitted.holes);
   if (fitted.imu) write_samples(begin("imu_residuals.csv"), *fitted.imu);
   if (fitted.imu) begin("calibration.yaml").append(calibration_text(fitted.imu->calibrated));
   begin("report.txt").append(report);

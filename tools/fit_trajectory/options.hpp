@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "support/common_options.hpp"
 #include "support/fit_choices.hpp"
 #include "support/fitted_trajectory.hpp"
-#include "support/gravity_option.hpp"
 #include "support/trajectory_input.hpp"
 
 /// The command-line options.

@@ -9,14 +9,13 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
-#include <splinertia/io/atomic_file.hpp>
 #include <splinertia/strapdown/integrator.hpp>
 #include <splinertia/strapdown/nav_state.hpp>
 #include <splinertia/strapdown/schemes/euler.hpp>
 #include <splinertia/strapdown/schemes/midpoint.hpp>
 #include <splinertia/units.hpp>
 
-#include "support/concat.hpp"
+#include "support/csv_table.hpp"
 
 using TrueState = splinertia::NavState<double, std::chrono::nanoseconds>;
 
@@ -58,14 +57,9 @@ class SchemeErrors {
     std::printf("%-6s %-9s %10.3g %10.3g %10.3g %10.3g %10.3g %10.3g\n", imu_, scheme_, position_.rms(),
                 position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last);
   }
-  void write(splinertia::AtomicFile& file) const {
-    file.append(concat(imu_, ',', scheme_));
-    for (const double value :
-         {position_.rms(), position_.largest, position_.last, attitude_.rms(), attitude_.largest, attitude_.last}) {
-      file.append(',');
-      file.append_real(value);
-    }
-    file.append('\n');
+  void write(CsvTable& table) const {
+    table.row(imu_, scheme_, position_.rms(), position_.largest, position_.last, attitude_.rms(), attitude_.largest,
+              attitude_.last);
   }
 
  private:
@@ -94,9 +88,9 @@ class DeadReckoning {
     euler_.print();
     midpoint_.print();
   }
-  void write(splinertia::AtomicFile& file) const {
-    euler_.write(file);
-    midpoint_.write(file);
+  void write(CsvTable& table) const {
+    euler_.write(table);
+    midpoint_.write(table);
   }
 
  private:

@@ -10,7 +10,6 @@
 #include "support/concat.hpp"
 #include "support/error_yaml.hpp"
 #include "support/imu_noise.hpp"
-#include "support/whole_number_option.hpp"
 
 using namespace splinertia;
 
@@ -28,7 +27,7 @@ const std::map<std::string, AnyImu>& preset_imus() {
 }
 
 void add_sensor_options(CLI::App& app, Options& o) {
-  app.add_option("--rate", o.rate, "sampling rate of the IMU [Hz]; default: that of --imu-noise, else 200");
+  add_rate_option(app, o.rate, "sampling rate of the IMU [Hz]; default: that of --imu-noise, else 200");
   auto* preset = app.add_option("--preset", o.preset, "errors of a known IMU")
                      ->check(CLI::IsMember(preset_imus()))
                      ->capture_default_str();
@@ -43,7 +42,7 @@ void add_sensor_options(CLI::App& app, Options& o) {
   app.add_option("--accel-noise", o.accel_noise, "white noise density [m/s^2/sqrt(Hz)], likewise");
   app.add_option("--accel-walk", o.accel_walk, "random walk density [m/s^3/sqrt(Hz)], likewise");
   add_gravity_option(app, o.gravity);
-  add_whole_number_option(app, "--seed", o.seed, "seed of the noise; gives the same samples on every machine");
+  add_seed_option(app, o.seed, "seed of the noise; gives the same samples on every machine");
 }
 
 }  // namespace
@@ -61,12 +60,11 @@ void add_options(CLI::App& app, Options& o) {
   add_sensor_options(app, o);
   app.add_flag("--keep-holes", o.keep_holes, "keep the samples inside holes without poses, which are invented")
       ->needs(trajectory);
-  app.add_option("-o,--output", o.output,
-                 "folder for imu.csv (exists only if all files are complete), groundtruth.csv (EuRoC), poses.tum "
-                 "(TUM), imu.yaml (Kalibr) and gaps.csv")
-      ->capture_default_str();
+  add_output_option(app, o.output,
+                    "folder for imu.csv (exists only if all files are complete), groundtruth.csv (EuRoC), poses.tum "
+                    "(TUM), imu.yaml (Kalibr) and gaps.csv");
   app.add_flag("--npy", o.npy, "also write the samples as imu.npy, for numpy.load()");
-  app.add_option("--csv", o.csv, "also write the table of integration errors to this file");
+  add_csv_option(app, o.csv, "also write the table of integration errors to this file");
   app.add_flag("--help-errors", o.help_errors, "print the error terms of a file for --errors, and exit");
   add_trajectory_options(app, o.input, trajectory);
   add_fit_options(app, o.fit, trajectory);

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "support/any_error_model.hpp"
+#include "support/common_options.hpp"
 #include "support/fit_choices.hpp"
-#include "support/gravity_option.hpp"
 #include "support/trajectory_input.hpp"
 
 /// The command-line options.

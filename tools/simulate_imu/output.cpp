@@ -29,7 +29,7 @@ Output::Output(const Options& o, const Sensor& sensor, const std::vector<Hole>& 
     imu_yaml_.emplace(folder_.path("imu.yaml")).append(imu_noise_text(Estimator::kalibr, *noise));
   }
   if (!o.csv.empty()) table_csv_.emplace(o.csv);
-  if (!holes.empty()) gaps_csv_.emplace(folder_.path("gaps.csv")).append(holes_csv(holes));
+  if (!holes.empty()) write_holes(gaps_csv_.emplace(folder_.path("gaps.csv")), holes);
 }
 
 void Output::append(const StampedImuReading<double, nanoseconds>& reading, const TrueState& truth) {

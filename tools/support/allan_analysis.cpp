@@ -27,6 +27,40 @@ std::optional<allan::NoiseEstimates<double>> pooled(const SensorNoise& sensor,
   return all;
 }
 
+/// Throws std::runtime_error as the analysis of a log does.
+SensorNoise analyse_sensor(const SensorLog& sensor, const allan::IdentifyOptions<double>& options, unsigned threads) {
+  const auto named = [&sensor](const std::string& axis, const auto& analysis) {
+    try {
+      return analysis();
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(concat(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what(),
+                                      " (- in --columns leaves an axis out)"));
+    }
+  };
+  SensorNoise noise{sensor.kind,
+                    sensor.rate,
+                    static_cast<double>(sensor.samples) / sensor.rate,
+                    std::vector<AxisNoise>(sensor.axes.size()),
+                    {},
+                    {}};
+  std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
+  for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
+    const AxisLog& axis = sensor.axes[i];
+    noise.axes[i] = named(concat(' ', axis.name), [&] {
+      const allan::IntegratedSignal<double> signal(axis.values, sensor.rate);
+      found[i].emplace(signal);
+      AxisNoise one{axis.name, allan::analyse(axis.values, signal, *found[i], options), {}};
+      one.findings = findings_of(one.analysis, sensor);
+      return one;
+    });
+  });
+  std::vector<allan::DifferenceSpectrum<double>> spectra;
+  for (auto& spectrum : found) spectra.push_back(std::move(*spectrum));
+  noise.pooled = named("", [&] { return pooled(noise, spectra, options); });
+  if (noise.pooled) noise.pooled_finding = descriptions_finding(*noise.pooled, sensor.kind);
+  return noise;
+}
+
 }  // namespace
 
 std::vector<SensorNoise::Row> SensorNoise::rows() const {
@@ -49,39 +83,8 @@ LogNoise analyse(const ImuLog& log, const allan::IdentifyOptions<double>& option
       throw std::runtime_error(concat(sensor.path, ": ", sensor.samples, " samples, expected at least ", fewest));
     }
   }
-  const auto named = [](const SensorLog& sensor, const std::string& axis, const auto& analysis) {
-    try {
-      return analysis();
-    } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(concat(sensor.path, ": ", sensor_name(sensor.kind), axis, ": ", error.what(),
-                                      " (- in --columns leaves an axis out)"));
-    }
-  };
   LogNoise result{log.path, log.rate, static_cast<double>(log.samples) / log.rate, options, {}, log.topic};
-  for (const SensorLog& sensor : log.sensors) {
-    SensorNoise noise{sensor.kind,
-                      sensor.rate,
-                      static_cast<double>(sensor.samples) / sensor.rate,
-                      std::vector<AxisNoise>(sensor.axes.size()),
-                      {},
-                      {}};
-    std::vector<std::optional<allan::DifferenceSpectrum<double>>> found(sensor.axes.size());
-    for_each_index(Parallel{threads}, sensor.axes.size(), [&](std::size_t i) {
-      const AxisLog& axis = sensor.axes[i];
-      noise.axes[i] = named(sensor, concat(' ', axis.name), [&] {
-        const allan::IntegratedSignal<double> signal(axis.values, sensor.rate);
-        found[i].emplace(signal);
-        AxisNoise one{axis.name, allan::analyse(axis.values, signal, *found[i], options), {}};
-        one.findings = findings_of(one.analysis, sensor);
-        return one;
-      });
-    });
-    std::vector<allan::DifferenceSpectrum<double>> spectra;
-    for (auto& spectrum : found) spectra.push_back(std::move(*spectrum));
-    noise.pooled = named(sensor, "", [&] { return pooled(noise, spectra, options); });
-    if (noise.pooled) noise.pooled_finding = descriptions_finding(*noise.pooled, sensor.kind);
-    result.sensors.push_back(std::move(noise));
-  }
+  for (const SensorLog& sensor : log.sensors) result.sensors.push_back(analyse_sensor(sensor, options, threads));
   return result;
 }
 

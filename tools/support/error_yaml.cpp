@@ -77,6 +77,23 @@ BiasInstability<double, 7, 3> bias_instability(Parameters& p) {
   return {coefficient, band};
 }
 
+auto temperature_bias(Parameters& p) {
+  const auto coefficient = p.per_axis("coefficient");
+  const auto profile = warm_up(p);
+  return TemperatureBias{coefficient, profile, p.number("reference_temperature", 25)};
+}
+
+auto temperature_scale(Parameters& p) {
+  const auto coefficient = p.per_axis("coefficient");
+  const auto profile = warm_up(p);
+  return TemperatureScale{coefficient, profile, p.number("reference_temperature", 25)};
+}
+
+auto random_vibration(Parameters& p) {
+  return RandomVibration{p.per_axis("standard_deviation"), p.per_axis("natural_frequency"),
+                         p.per_axis("damping_ratio")};
+}
+
 template <typename Model>
 struct TermReader {
   std::string name, parameters;  // names in the file, and a text for --help-errors
@@ -107,27 +124,16 @@ const std::vector<TermReader<AnySensorModel>>& sensor_terms() {
       {"g_sensitivity", "sensitivity", [](auto& p, Model& m) { m.add(GSensitivity{p["sensitivity"].matrix()}); }},
       {"temperature_bias",
        "coefficient, initial_temperature, [final_temperature], [time_constant], [reference_temperature]",
-       [](auto& p, Model& m) {
-         const auto coefficient = p.per_axis("coefficient");
-         const auto profile = warm_up(p);
-         m.add(TemperatureBias{coefficient, profile, p.number("reference_temperature", 25)});
-       }},
+       [](auto& p, Model& m) { m.add(temperature_bias(p)); }},
       {"temperature_scale",
        "coefficient, initial_temperature, [final_temperature], [time_constant], [reference_temperature]",
-       [](auto& p, Model& m) {
-         const auto coefficient = p.per_axis("coefficient");
-         const auto profile = warm_up(p);
-         m.add(TemperatureScale{coefficient, profile, p.number("reference_temperature", 25)});
-       }},
+       [](auto& p, Model& m) { m.add(temperature_scale(p)); }},
       {"sinusoidal_vibration", "amplitude, frequency, [phase]",
        [](auto& p, Model& m) {
          m.add(SinusoidalVibration{p.per_axis("amplitude"), p.per_axis("frequency"), p.per_axis("phase", 0)});
        }},
       {"random_vibration", "standard_deviation, natural_frequency, damping_ratio",
-       [](auto& p, Model& m) {
-         m.add(RandomVibration{p.per_axis("standard_deviation"), p.per_axis("natural_frequency"),
-                               p.per_axis("damping_ratio")});
-       }},
+       [](auto& p, Model& m) { m.add(random_vibration(p)); }},
       {"first_order_bandwidth", "cutoff", [](auto& p, Model& m) { m.add(FirstOrderBandwidth{p.per_axis("cutoff")}); }},
       {"second_order_bandwidth", "natural_frequency, damping_ratio", [](auto& p, Model& m) {
          m.add(SecondOrderBandwidth{p.per_axis("natural_frequency"), p.per_axis("damping_ratio")});

@@ -100,6 +100,40 @@ std::string cell(const Peak& peak, nanoseconds first) {
   return formatted(" %9.4g %10.3f", peak.value, to_seconds<double>(peak.time - first));
 }
 
+constexpr double least_visible = 1e-3;  // rad/s, m/s^2: no warnings below what an IMU can show
+
+/// Adds what is wrong with the largest values of one quantity.
+void add_peak_warnings(std::vector<std::string>& lines, const Extremes& found, const char* what, const char* unit,
+                       const Peak Peaks::*which, double noise_of_differences) {
+  const double noise = std::max(noise_of_differences, least_visible);
+  const double curve = (found.measured.*which).value, differences = (found.differences.*which).value;
+  if (differences >= 0 && curve > factor * differences + noise) {
+    lines.push_back(
+        formatted("the curve's largest %s is %.3g times that of the poses' differences (%.3g for %.3g %s, "
+                  "factor %g allowed): the curve oscillates, or follows poses that jump",
+                  what, curve / differences, curve, differences, unit, factor));
+  }
+  if (differences < 0 && curve > factor * 9.80665) {
+    lines.push_back(
+        formatted("the curve's largest %s is %.3g %s, and there are too few poses to check it by their differences: "
+                  "it may be noise",
+                  what, curve, unit));
+  }
+  if (differences - noise > factor * curve) {
+    lines.push_back(
+        formatted("the poses' differences show a %s of %.3g %s, the curve has at most %.3g (factor %g "
+                  "allowed): its knots are too far apart, or some poses are wrong",
+                  what, differences, unit, curve, factor));
+  }
+  const double invented = found.invented ? ((*found.invented).*which).value : 0;
+  if (invented > factor * std::max(curve, differences) + noise) {
+    lines.push_back(
+        formatted("inside holes the largest %s is %.3g %s, outside %.3g (factor %g allowed): do not use "
+                  "the curve inside holes",
+                  what, invented, unit, curve, factor));
+  }
+}
+
 }  // namespace
 
 Extremes extremes(const Poses& poses, const FittedTrajectory& fitted, const Eigen::Vector3d& gravity, double rate) {
@@ -145,44 +179,14 @@ std::string extremes_text(const Extremes& found, nanoseconds first) {
 
 std::vector<std::string> extremes_warnings(const Extremes& found, const FittedTrajectory& fitted) {
   std::vector<std::string> lines;
-  constexpr double nothing = 1e-3;  // rad/s, m/s^2: no warnings below what an IMU can show
-  const auto compare = [&](const char* what, const char* unit, const Peak Peaks::*which, double noise_of_differences) {
-    const double noise = std::max(noise_of_differences, nothing);
-    const double curve = (found.measured.*which).value, differences = (found.differences.*which).value;
-    if (differences >= 0 && curve > factor * differences + noise) {
-      lines.push_back(
-          formatted("the curve's largest %s is %.3g times that of the poses' differences (%.3g for %.3g %s, "
-                    "factor %g allowed): the curve oscillates, or follows poses that jump",
-                    what, curve / differences, curve, differences, unit, factor));
-    }
-    if (differences < 0 && curve > factor * 9.80665) {
-      lines.push_back(
-          formatted("the curve's largest %s is %.3g %s, and there are too few poses to check it by their differences: "
-                    "it may be noise",
-                    what, curve, unit));
-    }
-    if (differences - noise > factor * curve) {
-      lines.push_back(
-          formatted("the poses' differences show a %s of %.3g %s, the curve has at most %.3g (factor %g "
-                    "allowed): its knots are too far apart, or some poses are wrong",
-                    what, differences, unit, curve, factor));
-    }
-    const double invented = found.invented ? ((*found.invented).*which).value : 0;
-    if (invented > factor * std::max(curve, differences) + noise) {
-      lines.push_back(
-          formatted("inside holes the largest %s is %.3g %s, outside %.3g (factor %g allowed): do not use "
-                    "the curve inside holes",
-                    what, invented, unit, curve, factor));
-    }
-  };
-  compare("|omega|", "rad/s", &Peaks::gyro, found.gyro_noise);
-  compare("|f|", "m/s^2", &Peaks::accel, found.accel_noise);
+  add_peak_warnings(lines, found, "|omega|", "rad/s", &Peaks::gyro, found.gyro_noise);
+  add_peak_warnings(lines, found, "|f|", "m/s^2", &Peaks::accel, found.accel_noise);
 
   // A rotation residual r means that an angular velocity of about r per knot interval is missing in the curve.
   const double residual = lengths(fitted.distances.rotation, fitted.outliers).rms;
   const double missing = residual / to_seconds<double>(knot_interval(fitted));
   const double noise = std::sqrt(3.0) * found.noise.rotation;
-  if (noise > 0 && residual > 3 * noise && missing > std::max(nothing, 0.01 * found.measured.gyro.value)) {
+  if (noise > 0 && residual > 3 * noise && missing > std::max(least_visible, 0.01 * found.measured.gyro.value)) {
     lines.push_back(
         formatted("the rotation residuals are %.2g rad (rms), far above the noise of %.2g rad: the knots are too "
                   "far apart for parts of the motion",

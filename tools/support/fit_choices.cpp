@@ -41,6 +41,28 @@ void add_smoothness_options(CLI::App& app, FitChoices& o, const auto& add) {
           ->capture_default_str());
 }
 
+/// Throws std::invalid_argument if the goals are incomplete, or more than one way to place knots is chosen.
+void check_knots(const FitChoices& o) {
+  if (o.goal_position.has_value() != o.goal_rotation.has_value()) {
+    throw std::invalid_argument("--goal-position and --goal-rotation: expected both or none");
+  }
+  if (o.adaptive && !o.goal_position) {
+    throw std::invalid_argument(
+        "--adaptive: expected --goal-position and --goal-rotation, which the knots have to meet");
+  }
+  const std::pair<bool, const char*> ways[] = {{o.knot_interval.has_value(), "--knot-interval"},
+                                               {o.goal_position && !o.adaptive, "--goal-position"},
+                                               {o.adaptive, "--adaptive"},
+                                               {o.cross_validate, "--cross-validate"},
+                                               {o.interpolate, "--interpolate"}};
+  const char* chosen = nullptr;
+  for (const auto& [given, name] : ways) {
+    if (!given) continue;
+    if (chosen) throw std::invalid_argument(concat(chosen, " and ", name, ": expected one way to place knots"));
+    chosen = name;
+  }
+}
+
 }  // namespace
 
 void add_fit_options(CLI::App& app, FitChoices& o, CLI::Option* trajectory) {
@@ -75,24 +97,7 @@ void check_positive(const char* option, std::optional<double> number) {
 }
 
 void check(const FitChoices& o) {
-  if (o.goal_position.has_value() != o.goal_rotation.has_value()) {
-    throw std::invalid_argument("--goal-position and --goal-rotation: expected both or none");
-  }
-  if (o.adaptive && !o.goal_position) {
-    throw std::invalid_argument(
-        "--adaptive: expected --goal-position and --goal-rotation, which the knots have to meet");
-  }
-  const std::pair<bool, const char*> ways[] = {{o.knot_interval.has_value(), "--knot-interval"},
-                                               {o.goal_position && !o.adaptive, "--goal-position"},
-                                               {o.adaptive, "--adaptive"},
-                                               {o.cross_validate, "--cross-validate"},
-                                               {o.interpolate, "--interpolate"}};
-  const char* chosen = nullptr;
-  for (const auto& [given, name] : ways) {
-    if (!given) continue;
-    if (chosen) throw std::invalid_argument(concat(chosen, " and ", name, ": expected one way to place knots"));
-    chosen = name;
-  }
+  check_knots(o);
   if (o.interpolate && o.order % 2 != 0) {
     throw std::invalid_argument(concat("--interpolate: order ", o.order, ", expected an even order"));
   }

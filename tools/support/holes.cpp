@@ -5,6 +5,7 @@
 #include <splinertia/time.hpp>
 
 #include "support/concat.hpp"
+#include "support/csv_table.hpp"
 #include "support/formatted.hpp"
 
 using splinertia::to_seconds;
@@ -32,12 +33,9 @@ std::vector<std::string> hole_lines(const std::vector<Hole>& holes, nanoseconds 
   return lines;
 }
 
-std::string holes_csv(const std::vector<Hole>& holes) {
-  std::string text = "#start [ns],end [ns],length [s]\n";
-  for (const auto& [start, end] : holes) {
-    text += concat(start.count(), ',', end.count(), ',', to_seconds<double>(end - start), '\n');
-  }
-  return text;
+void write_holes(splinertia::AtomicFile& file, const std::vector<Hole>& holes) {
+  CsvTable table(file, {"#start [ns]", "end [ns]", "length [s]"});
+  for (const auto& [start, end] : holes) table.row(start, end, short_number(to_seconds<double>(end - start)));
 }
 
 std::string hole_comment(const Hole& hole) {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <splinertia/io/atomic_file.hpp>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,8 @@ struct Hole {
 [[nodiscard]] std::vector<std::string> hole_lines(const std::vector<Hole>& holes, std::chrono::nanoseconds first,
                                                   std::size_t most, const std::vector<std::string>& what = {});
 
-/// The text of gaps.csv: start, end and length of each hole.
-[[nodiscard]] std::string holes_csv(const std::vector<Hole>& holes);
+/// Writes gaps.csv: start, end and length of each hole.
+void write_holes(splinertia::AtomicFile& file, const std::vector<Hole>& holes);
 
 /// The comment before the readings in a hole: "hole from 4995000000 to 6000000000 ns: no poses, ...".
 [[nodiscard]] std::string hole_comment(const Hole& hole);

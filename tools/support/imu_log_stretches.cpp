@@ -78,14 +78,11 @@ void merge(std::vector<Rows>& list) {
   list.swap(merged);
 }
 
-}  // namespace
-
-LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::optional<double> rate) {
+/// The rows that the options select, merged. Throws std::invalid_argument as leave_out() does.
+std::vector<Rows> selected_rows(const Clock& clock, std::size_t all, const ImuLogOptions& options) {
   if (!(std::isfinite(options.skip) && options.skip >= 0)) {
     throw std::invalid_argument(concat("--skip: time is ", options.skip, ", expected a finite number >= 0"));
   }
-  const Clock clock(columns, rate);
-  const std::size_t all = columns.rows;
   std::vector<Rows> removed{{0, clock.row_at(options.skip)}};
   if (removed[0].last + 1 >= all) throw std::invalid_argument(concat("--skip: ", options.skip, " s is the whole log"));
   if (options.until) {
@@ -110,7 +107,15 @@ LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::option
   if (!removed.empty() && removed.front().first == 0 && removed.front().last == all) {
     throw std::invalid_argument("--leave-out: this is the whole log");
   }
+  return removed;
+}
 
+}  // namespace
+
+LeftOut leave_out(ImuColumns& columns, const ImuLogOptions& options, std::optional<double> rate) {
+  const Clock clock(columns, rate);
+  const std::size_t all = columns.rows;
+  const std::vector<Rows> removed = selected_rows(clock, all, options);
   LeftOut result;
   std::size_t kept = 0;
   const auto keep = [&](std::size_t first, std::size_t last) {
