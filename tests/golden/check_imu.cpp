@@ -20,7 +20,7 @@ namespace {
 
 using splinertia::Motion;
 using splinertia::SO3xR3;
-using splinertia::Vector3;
+using Eigen::Vector3;
 
 /// Sizes of what an IMU adds up.
 struct Sizes {

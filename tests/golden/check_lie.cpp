@@ -112,7 +112,7 @@ void check_exp(const Row& row, Grader<Scalar>& grader, const Eigen::Matrix<Scala
 template <typename Scalar>
 void check_so3_lie_row(const Row& row, Report& report) {
   Grader<Scalar> grader(report, row);
-  using Vector = splinertia::Vector3<Scalar>;
+  using Vector = Eigen::Vector3<Scalar>;
   const Vector phi = input_vector<Scalar, 3>(row, "phi");
   check_exp<Scalar>(row, grader, phi);
   const bool beyond = static_cast<long double>(phi.norm()) > pi;

@@ -18,7 +18,7 @@ namespace golden {
 
 namespace {
 
-using splinertia::Vector3;
+using Eigen::Vector3;
 using std::chrono::nanoseconds;
 
 /// The intervals of a row: in them rate and force are linear in time, start + slope τ.

@@ -36,7 +36,7 @@ template <typename Scalar>
 }
 
 template <typename Scalar>
-[[nodiscard]] splinertia::Vector3<Scalar> read_vector(const std::vector<Scalar>& values, std::size_t begin) {
+[[nodiscard]] Eigen::Vector3<Scalar> read_vector(const std::vector<Scalar>& values, std::size_t begin) {
   return {values.at(begin), values.at(begin + 1), values.at(begin + 2)};
 }
 

@@ -55,12 +55,12 @@ struct RigidPoses {
     const auto world = [&](const auto& body) {
       return flat(splinertia::detail::rotate<Scalar>(m.value.unit_quaternion(), body));
     };
-    grader.check("pdot", world(splinertia::Vector3<Scalar>(m.velocity.template head<3>())), row.outputs("pdot"),
+    grader.check("pdot", world(Eigen::Vector3<Scalar>(m.velocity.template head<3>())), row.outputs("pdot"),
                  {term("scale", 0) + 2 * speed, term("cond", 2) + 2 * speed});
     const long double turning = omega * term("scale", 0) + term("scale", 3) * speed;
     const long double rounding = omega * term("cond", 2) + term("cond", 3) * speed;
     const long double turned = 2 * length(row.outputs("pddot"));
-    grader.check("pddot", world(splinertia::specific_force(m, splinertia::Vector3<Scalar>(0, 0, 0))),
+    grader.check("pddot", world(splinertia::specific_force(m, Eigen::Vector3<Scalar>(0, 0, 0))),
                  row.outputs("pddot"), {term("scale", 1) + turning + turned, term("cond", 4) + rounding + turned});
   }
 };

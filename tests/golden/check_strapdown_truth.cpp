@@ -21,7 +21,7 @@ namespace golden {
 
 namespace {
 
-using splinertia::Vector3;
+using Eigen::Vector3;
 
 /// bias + amplitude sin(frequency t + phase) of each axis.
 struct Sinusoids {
