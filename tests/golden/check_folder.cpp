@@ -7,8 +7,6 @@
 
 namespace golden {
 
-using namespace splinertia::detail;
-
 namespace {
 
 struct Kind {
