@@ -103,6 +103,15 @@ def excerpt(line):
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+def expect_writable(output, target, is_file):
+    """A file may replace a file; a folder must be new or empty."""
+    if is_file:
+        if target.exists() and not target.is_file():
+            raise Failure(f"{output}: exists and is not a regular file")
+    elif target.exists() and not (target.is_dir() and not any(target.iterdir())):
+        raise Failure(f"{output}: exists already, expected the name of a new folder")
+
+
 def write_bag(arguments, progress):
     rosbags = import_rosbags()
     source, output = pathlib.Path(arguments.input), pathlib.Path(arguments.output)
@@ -117,11 +126,7 @@ def write_bag(arguments, progress):
     target = output.resolve()
     single = output.suffix == SUFFIXES[form]
     ros1 = form == "ros1"
-    if ros1 or single:
-        if target.exists() and not target.is_file():
-            raise Failure(f"{output}: exists and is not a regular file")
-    elif target.exists() and not (target.is_dir() and not any(target.iterdir())):
-        raise Failure(f"{output}: exists already, expected the name of a new folder")
+    expect_writable(output, target, ros1 or single)
     latest = (2**32 if ros1 else 2**31) * 10**9
     encode = encoder(arguments.frame, ros1)
     with replacing(target) as temporary:
