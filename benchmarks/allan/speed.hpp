@@ -25,7 +25,7 @@ using Factors = std::vector<std::int64_t>;
 
 namespace {
 
-using namespace splinertia::detail;
+using namespace splinertia::allan::detail;
 
 /// As numpy.logspace does, rounded: whole numbers that are not each other's doubles.
 Factors log_spaced(std::int64_t largest, int count) {

@@ -17,8 +17,6 @@
 
 namespace benchmark {
 
-using namespace splinertia::detail;
-
 /// How many more instructions than by hand are let pass. One side only: fewer are welcome.
 ///
 /// Counts repeat to the digit, but a compiler is no more careful with one of two equal functions than with the other:
