@@ -77,7 +77,11 @@ struct ParameterLayout<Sophus::SO2<Scalar>> {
   using G = Sophus::SO2<Scalar>;
   static constexpr int size = 2;
 
-  static G read(const Scalar* numbers) { return detail::rotation_from_unit_complex<Scalar>(numbers[0], numbers[1]); }
+  static G read(const Scalar* numbers) {
+    G x;
+    for (int i = 0; i < size; ++i) x.data()[i] = numbers[i];
+    return x;
+  }
   static void write(const G& x, Scalar* numbers) { Eigen::Map<Eigen::Vector2<Scalar>>{numbers} = x.unit_complex(); }
   /// i z, where z is the unit complex number of x.
   static Eigen::Vector2<Scalar> tangent_to_parameters(const G& x) {
