@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <splinertia/splinertia.hpp>
 
@@ -91,11 +92,12 @@ benchmark::Pair pair(const Loop& library, const Loop& by_hand, const benchmark::
 }
 
 template <typename ByHand>
-void add_pairs(std::vector<benchmark::Pair>& pairs, const std::string& name, const auto& model) {
+void add_pairs(std::vector<benchmark::Pair>& pairs, const std::string& name, const auto& model,
+               std::optional<benchmark::Tolerance> of_apply = std::nullopt) {
   constexpr bool no_errors = std::is_same_v<ByHand, NoErrorsByHand>;
   pairs.push_back(pair({"apply_" + name, [model](std::size_t n, Sums& s) { apply_model(model, n, s); }},
                        {"apply_" + name + "_by_hand", [](std::size_t n, Sums& s) { apply_by_hand<ByHand>(n, s); }},
-                       tolerance(false, no_errors)));
+                       of_apply.value_or(tolerance(false, no_errors))));
   pairs.push_back(
       pair({"simulate_" + name, [model](std::size_t n, Sums& s) { simulate_model(model, n, s); }},
            {"simulate_" + name + "_by_hand", [](std::size_t n, Sums& s) { simulate_by_hand<ByHand>(n, s); }},
@@ -113,7 +115,11 @@ const std::vector<benchmark::Pair>& pairs() {
     add_pairs<RandomWalkByHand>(all, "random_walk", ErrorModel{RandomWalk{density}});
     add_pairs<GaussMarkovByHand>(all, "gauss_markov", ErrorModel{GaussMarkov{deviation, correlation_time}});
     add_pairs<WhiteNoiseRandomWalkByHand>(all, "white_noise_random_walk",
-                                          ErrorModel{WhiteNoise{density}, RandomWalk{density}});
+                                          ErrorModel{WhiteNoise{density}, RandomWalk{density}},
+                                          // g++ 12 at -O3 spills more of the two generators: 204 instructions by the
+                                          // library and 195.5 by hand (+4.3 %) since terms serve any number of axes,
+                                          // 186 before. simulate() of the same model has 564, before 573.
+                                          benchmark::Tolerance{.part = 0.05});
     return all;
   }();
   return the;
