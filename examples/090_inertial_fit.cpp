@@ -14,7 +14,7 @@ using namespace splinertia;
 int main() {
   ImuCalibration<double> truth;
   truth.gyro_bias << 0.01, -0.02, 0.03;  // rad/s
-  truth.mounting.p_BI << 0.1, 0, 0;           // m
+  truth.mounting.p_BI << 0.1, 0, 0;      // m
   truth.time_offset = 0.013;             // s
 
   // Poses at 20 Hz with a noise of 1 mrad and 1 mm. IMU at 200 Hz with 1 mrad/s and 10 mm/s^2 in a sample.

@@ -43,7 +43,8 @@ int check_accuracy(bool csv, const Settings& settings) {
   }
   double worst = 0, worst_streaming = 0;
   if (!csv) std::printf("%zu samples of %g with noise of %g, LSB %g\n", n, offset, deviation, lsb);
-  const auto compare = [&](const char* name, const DeviationPoint<double>& point, std::int64_t stride, double& largest) {
+  const auto compare = [&](const char* name, const DeviationPoint<double>& point, std::int64_t stride,
+                           double& largest) {
     const long double sum = exact_sum(phase, point.factor, stride);
     const auto m = static_cast<long double>(point.factor);
     const long double exact =

@@ -18,9 +18,9 @@ using namespace splinertia::detail;
 
 namespace {
 
+using Eigen::Vector3;
 using splinertia::Motion;
 using splinertia::SO3xR3;
-using Eigen::Vector3;
 
 /// Sizes of what an IMU adds up.
 struct Sizes {

@@ -60,8 +60,8 @@ struct RigidPoses {
     const long double turning = omega * term("scale", 0) + term("scale", 3) * speed;
     const long double rounding = omega * term("cond", 2) + term("cond", 3) * speed;
     const long double turned = 2 * length(row.outputs("pddot"));
-    grader.check("pddot", world(splinertia::specific_force(m, Eigen::Vector3<Scalar>(0, 0, 0))),
-                 row.outputs("pddot"), {term("scale", 1) + turning + turned, term("cond", 4) + rounding + turned});
+    grader.check("pddot", world(splinertia::specific_force(m, Eigen::Vector3<Scalar>(0, 0, 0))), row.outputs("pddot"),
+                 {term("scale", 1) + turning + turned, term("cond", 4) + rounding + turned});
   }
 };
 

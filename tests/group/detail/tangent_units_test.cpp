@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <splinertia/group/pose.hpp>
 #include <splinertia/group/detail/tangent_units.hpp>
+#include <splinertia/group/pose.hpp>
 #include <utility>
 #include <vector>
 
