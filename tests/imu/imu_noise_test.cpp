@@ -8,6 +8,21 @@
 
 using namespace splinertia;
 
+namespace {
+
+/// Somebody else's term, which has a name and a density, too.
+struct OtherNoise {
+  static constexpr std::string_view name = "white noise";
+  template <typename Normals>
+  using State = Normals;
+
+  PerAxis<double, 1> density{7.0};
+
+  void apply(SensorSample<double>&, auto&) const {}
+};
+
+}  // namespace
+
 TEST_CASE("The noise of an IMU is that of its white noise and random walks") {
   const ImuNoise noise = imu_noise(presets::euroc);
   CHECK(noise.gyro_density == Approx(1.6968e-4).epsilon(1e-15));
@@ -26,4 +41,5 @@ TEST_CASE("Terms of a kind add up as squares, the noisiest axis counts, other te
   CHECK(noise.accel_walk == 0.5);
   CHECK(imu_noise<float>(imu).accel_density == 3.0F);
   CHECK(imu_noise(Imu{}).accel_density == 0);
+  CHECK(imu_noise(Imu{ErrorModel{OtherNoise{}}, ErrorModel{}}).gyro_density == 0);
 }

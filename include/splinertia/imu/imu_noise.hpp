@@ -2,12 +2,21 @@
 /// The noise of an IMU as estimators ask for it: four densities.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <concepts>
-#include <string_view>
 #include <tuple>
 
 namespace splinertia {
+
+// Declared only: estimators need ImuNoise without the error terms.
+template <typename Scalar, int N>
+struct WhiteNoise;
+template <typename Scalar, int N>
+struct RandomWalk;
+template <typename... Terms>
+class ErrorModel;
+template <typename Gyro, typename Accel, typename Stamps>
+struct Imu;
 
 /// Noise densities of an IMU in continuous time, in the units of WhiteNoise and RandomWalk.
 template <typename Scalar = double>
@@ -20,27 +29,24 @@ struct ImuNoise {
 
 namespace detail {
 
-/// The root sum of squares of the densities of the terms of this name; of a term that has one for each axis, the
-/// largest counts.
-template <typename Scalar, typename Model>
-[[nodiscard]] Scalar density_of(const Model& model, std::string_view name) {
+/// The density of a term of the kind Noise, the largest if it has one for each axis; 0 for other terms.
+template <template <typename, int> typename Noise, typename Scalar, typename Term>
+[[nodiscard]] Scalar density_of(const Term&) {
+  return Scalar(0);
+}
+template <template <typename, int> typename Noise, typename Scalar, typename S, int N>
+[[nodiscard]] Scalar density_of(const Noise<S, N>& term) {
+  return Scalar(*std::max_element(term.density.begin(), term.density.end()));
+}
+
+/// The root sum of squares of the densities of all such terms of a model.
+template <template <typename, int> typename Noise, typename Scalar, typename... Terms>
+[[nodiscard]] Scalar total_density(const ErrorModel<Terms...>& model) {
   using std::sqrt;
-  Scalar sum(0);
-  const auto add = [&](const auto& term) {
-    if constexpr (requires {
-                    { term.name } -> std::convertible_to<std::string_view>;
-                    term.density.begin();
-                  }) {
-      if (term.name != name) return;
-      Scalar largest(0);
-      for (const auto& density : term.density) {
-        if (Scalar(density) > largest) largest = Scalar(density);
-      }
-      sum += largest * largest;
-    }
-  };
-  std::apply([&](const auto&... term) { (add(term), ...); }, model.terms());
-  return sqrt(sum);
+  const auto square = [](const Scalar& x) { return x * x; };
+  return std::apply(
+      [&](const auto&... term) { return sqrt((Scalar(0) + ... + square(density_of<Noise, Scalar>(term)))); },
+      model.terms());
 }
 
 }  // namespace detail
@@ -53,15 +59,10 @@ template <typename Scalar, typename Model>
 /// largest counts, so that the noise of no axis is underestimated. All other terms are ignored: turn-on and other
 /// biases, BiasInstability, GaussMarkov, QuantizationNoise, vibration, scale and bandwidth are not what these four
 /// numbers can express.
-template <typename Scalar = double, typename Sensors>
-  requires requires(const Sensors& imu) {
-    imu.gyro.terms();
-    imu.accel.terms();
-  }
-[[nodiscard]] ImuNoise<Scalar> imu_noise(const Sensors& imu) {
-  constexpr std::string_view white = "white noise", walk = "random walk";
-  return {detail::density_of<Scalar>(imu.gyro, white), detail::density_of<Scalar>(imu.accel, white),
-          detail::density_of<Scalar>(imu.gyro, walk), detail::density_of<Scalar>(imu.accel, walk)};
+template <typename Scalar = double, typename... Gyro, typename... Accel, typename Stamps>
+[[nodiscard]] ImuNoise<Scalar> imu_noise(const Imu<ErrorModel<Gyro...>, ErrorModel<Accel...>, Stamps>& imu) {
+  return {detail::total_density<WhiteNoise, Scalar>(imu.gyro), detail::total_density<WhiteNoise, Scalar>(imu.accel),
+          detail::total_density<RandomWalk, Scalar>(imu.gyro), detail::total_density<RandomWalk, Scalar>(imu.accel)};
 }
 
 }  // namespace splinertia

@@ -12,8 +12,8 @@
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/imu/detail/ideal_block.hpp>
+#include <splinertia/imu/detail/run_along_motion.hpp>
 #include <splinertia/imu/detail/run_iterator.hpp>
-#include <splinertia/imu/detail/sample_clock.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
 #include <splinertia/imu/imu.hpp>
 #include <splinertia/imu/imu_errors.hpp>
@@ -41,35 +41,26 @@ namespace detail {
 /// Each begin() starts again at the first sample. Mount is Mounting<Scalar> if the IMU is not at the body frame. See
 /// simulate().
 template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = NotMounted>
-class Simulation {
+class Simulation : public RunAlongMotion<Motion, Sensors, Mount> {
+  using Base = RunAlongMotion<Motion, Sensors, Mount>;
+
  public:
-  using Trajectory = std::remove_cvref_t<Motion>;
-  using Scalar = ScalarOf<typename Trajectory::Group>;
-  using Time = typename Trajectory::Time;
+  using typename Base::Trajectory, typename Base::Scalar, typename Base::Time;
   using Errors = ImuErrors<Sensors, Scalar, Time, Generator>;
   using Reading = typename Errors::Reading;
   using Options = SimulationOptions<Scalar, Time>;
 
   Simulation(Motion&& motion, const Sensors& sensors, const Options& options, const Mount& mounting = {})
-      : motion_(std::forward<Motion>(motion)),
-        sensors_(sensors),
-        mounting_(mounting),
-        gravity_(options.gravity),
-        clock_("simulate", motion_, options),
-        key_(StreamKey(options.seed) / options.imu) {
-    if constexpr (!std::is_same_v<Mount, NotMounted>) require_finite("simulate", mounting);
-  }
+      : Base("simulate", std::forward<Motion>(motion), sensors, options, mounting) {}
 
   /// The number of samples taken. Both ends are sampled if they fall on a sample. Dropped samples are counted, too.
   [[nodiscard]] std::size_t size() const { return clock_.size(); }
-  [[nodiscard]] const Trajectory& motion() const { return motion_; }
-  /// The time of sample i, computed from the start so that rounding does not accumulate. Requires i < size().
-  [[nodiscard]] Time time(std::size_t i) const { return clock_(i); }
 
  private:
   class Run;
 
  public:
+  using Base::time;
   using Iterator = RunIterator<Run>;
 
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Iterator begin() const {
@@ -165,12 +156,7 @@ class Simulation {
                                   seconds_or_ticks(time(i)));
   }
 
-  Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
-  [[no_unique_address]] Sensors sensors_;
-  [[no_unique_address]] Mount mounting_;
-  Eigen::Vector3<Scalar> gravity_;
-  SampleClock<Scalar, Time> clock_;
-  StreamKey key_;
+  using Base::motion_, Base::sensors_, Base::mounting_, Base::gravity_, Base::clock_, Base::key_;
 };
 
 }  // namespace detail

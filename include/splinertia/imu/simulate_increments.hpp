@@ -7,8 +7,8 @@
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/imu/detail/mean_imu.hpp>
+#include <splinertia/imu/detail/run_along_motion.hpp>
 #include <splinertia/imu/detail/run_iterator.hpp>
-#include <splinertia/imu/detail/sample_clock.hpp>
 #include <splinertia/imu/imu_errors.hpp>
 #include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/imu/simulate.hpp>
@@ -33,29 +33,21 @@ namespace detail {
 /// The increments of an IMU on a moving body: a range that computes each when it is reached, in constant memory. Each
 /// begin() starts again at the first one. See simulate_increments().
 template <typename Motion, typename Sensors, BitGenerator Generator = Xoshiro256, typename Mount = NotMounted>
-class IncrementSimulation {
+class IncrementSimulation : public RunAlongMotion<Motion, Sensors, Mount> {
+  using Base = RunAlongMotion<Motion, Sensors, Mount>;
+
  public:
-  using Trajectory = std::remove_cvref_t<Motion>;
-  using Scalar = ScalarOf<typename Trajectory::Group>;
-  using Time = typename Trajectory::Time;
+  using typename Base::Trajectory, typename Base::Scalar, typename Base::Time;
   using Reading = ImuIncrementReading<Scalar, Time>;
   using Options = SimulationOptions<Scalar, Time>;
 
   IncrementSimulation(Motion&& motion, const Sensors& sensors, const Options& options, const Mount& mounting = {})
-      : motion_(std::forward<Motion>(motion)),
-        sensors_(sensors),
-        mounting_(mounting),
-        gravity_(options.gravity),
-        clock_("simulate_increments", motion_, options),
-        key_(StreamKey(options.seed) / options.imu) {
-    if constexpr (!std::is_same_v<Mount, NotMounted>) require_finite("simulate_increments", mounting);
-  }
+      : Base("simulate_increments", std::forward<Motion>(motion), sensors, options, mounting) {}
 
   /// The number of increments, dropped ones included.
   [[nodiscard]] std::size_t size() const { return clock_.size() - 1; }
-  [[nodiscard]] const Trajectory& motion() const { return motion_; }
   /// The time at which increment i begins and increment i − 1 ends. Requires i <= size().
-  [[nodiscard]] Time time(std::size_t i) const { return clock_(i); }
+  using Base::time;
 
  private:
   class Run;
@@ -111,12 +103,7 @@ class IncrementSimulation {
                                   ", expected finite numbers");
   }
 
-  Motion motion_;  // a reference where the caller keeps the motion, else the motion itself
-  [[no_unique_address]] Sensors sensors_;
-  [[no_unique_address]] Mount mounting_;
-  Eigen::Vector3<Scalar> gravity_;
-  SampleClock<Scalar, Time> clock_;
-  StreamKey key_;
+  using Base::motion_, Base::sensors_, Base::mounting_, Base::gravity_, Base::clock_, Base::key_;
 };
 
 }  // namespace detail
