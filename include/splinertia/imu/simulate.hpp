@@ -125,16 +125,6 @@ class Simulation : public RunAlongMotion<Motion, Sensors, Mount> {
   // Not inlined, so that loops over the samples contain the code of a sample only once.
   [[nodiscard]] SPLINERTIA_NOINLINE Iterator first_sample() const { return Iterator(std::in_place, *this); }
 
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE ImuMeasurement<Scalar> ideal(Time time) const {
-    return flattened<Scalar>([this, time] {
-      if constexpr (std::is_same_v<Mount, NotMounted>) {
-        return ideal_imu(motion_.template evaluate<2>(time), gravity_);
-      } else {
-        return ideal_imu(motion_.template evaluate<2>(time), gravity_, mounting_);
-      }
-    });
-  }
-
   // Throws if the motion gives a reading that is not finite at one of the samples first … first + count − 1.
   SPLINERTIA_COLD void check(std::size_t first, std::size_t count) const {
     for (std::size_t i = first; i < first + count; ++i) {
@@ -156,7 +146,7 @@ class Simulation : public RunAlongMotion<Motion, Sensors, Mount> {
                                   seconds_or_ticks(time(i)));
   }
 
-  using Base::motion_, Base::sensors_, Base::mounting_, Base::gravity_, Base::clock_, Base::key_;
+  using Base::ideal, Base::motion_, Base::sensors_, Base::mounting_, Base::gravity_, Base::clock_, Base::key_;
 };
 
 }  // namespace detail

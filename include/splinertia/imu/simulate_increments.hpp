@@ -73,7 +73,7 @@ class IncrementSimulation : public RunAlongMotion<Motion, Sensors, Mount> {
       const IncrementSimulation& s = *simulation_;
       for (; index < s.size(); ++index) {
         const Time begin = s.time(index), end = s.time(index + 1);
-        const auto mean = mean_(s.motion_, s.gravity_, s.mounting_, begin, end);
+        const auto mean = mean_(s.motion_, begin, end, [&s](Time t) { return s.ideal(t); });
         if (!is_finite(finiteness(mean))) [[unlikely]]
           s.refuse_increment(index);
         typename Errors::Reading with_errors;
@@ -92,7 +92,7 @@ class IncrementSimulation : public RunAlongMotion<Motion, Sensors, Mount> {
     using Errors = ImuErrors<Sensors, Scalar, Time, Generator>;
 
     const IncrementSimulation* simulation_;
-    MeanImu<Trajectory, Mount> mean_;
+    MeanImu<Trajectory> mean_;
     Errors errors_;
     Reading reading_;
   };
@@ -103,7 +103,7 @@ class IncrementSimulation : public RunAlongMotion<Motion, Sensors, Mount> {
                                   ", expected finite numbers");
   }
 
-  using Base::motion_, Base::sensors_, Base::mounting_, Base::gravity_, Base::clock_, Base::key_;
+  using Base::ideal, Base::motion_, Base::sensors_, Base::clock_, Base::key_;
 };
 
 }  // namespace detail

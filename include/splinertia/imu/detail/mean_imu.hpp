@@ -6,11 +6,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <splinertia/detail/flatten.hpp>
-#include <splinertia/imu/ideal_imu.hpp>
-#include <splinertia/motion/trajectory.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/time.hpp>
-#include <type_traits>
 
 namespace splinertia::detail {
 
@@ -28,7 +25,7 @@ concept HasSegments = requires(const C& curve, std::size_t s) {
 /// length h, the mean of a reading f is wrong by at most 5.7e-10 h⁸ max|f⁽⁸⁾|. Hence for a reading that oscillates with ω rad/s
 /// the error is at most 5.7e-10 (ωh)⁸ of the amplitude. Nodes at integer times are rounded symmetrically to the middle
 /// of the panel, so that the rounding of a reading of constant slope cancels.
-template <typename C, typename Mount>
+template <typename C>
 class MeanImu {
  public:
   using Scalar = ScalarOf<typename C::Group>;
@@ -42,9 +39,8 @@ class MeanImu {
     weight_ = {(Scalar(18) - root) / Scalar(72), (Scalar(18) + root) / Scalar(72)};
   }
 
-  /// Requires begin < end, both in the domain of the curve.
-  [[nodiscard]] ImuMeasurement<Scalar> operator()(const C& curve, const Eigen::Vector3<Scalar>& gravity,
-                                                  const Mount& mounting, Time begin, Time end) const {
+  /// ideal(t): the measurement at time t. Requires begin < end, both in the domain of the curve.
+  [[nodiscard]] ImuMeasurement<Scalar> operator()(const C& curve, Time begin, Time end, const auto& ideal) const {
     ImuMeasurement<Scalar> mean{Eigen::Vector3<Scalar>::Zero(), Eigen::Vector3<Scalar>::Zero()};
     const Scalar whole = to_seconds<Scalar>(end - begin);
     const auto add = [&](Time from, Time to) {
@@ -52,7 +48,7 @@ class MeanImu {
       for (std::size_t i = 0; i < node_.size(); ++i) {
         const Time offset = part_of(to - from, node_[i]);
         for (const Time t : {from + offset, to - offset}) {
-          const auto at = ideal(curve, gravity, mounting, t);
+          const auto at = ideal(t);
           mean.gyro += at.gyro * (weight_[i] * share);
           mean.accel += at.accel * (weight_[i] * share);
         }
@@ -72,17 +68,6 @@ class MeanImu {
   }
 
  private:
-  [[nodiscard]] static ImuMeasurement<Scalar> ideal(const C& curve, const Eigen::Vector3<Scalar>& gravity,
-                                                    const Mount& mounting, Time t) {
-    return flattened<Scalar>([&] {
-      if constexpr (std::is_same_v<Mount, NotMounted>) {
-        return ideal_imu(curve.template evaluate<2>(t), gravity);
-      } else {
-        return ideal_imu(curve.template evaluate<2>(t), gravity, mounting);
-      }
-    });
-  }
-
   // share · length, to the nearest tick.
   [[nodiscard]] static Time part_of(Time length, const Scalar& share) {
     if constexpr (std::floating_point<Time>) {

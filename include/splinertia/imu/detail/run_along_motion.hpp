@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <splinertia/detail/flatten.hpp>
+#include <splinertia/detail/inline.hpp>
 #include <splinertia/imu/detail/sample_clock.hpp>
 #include <splinertia/imu/ideal_imu.hpp>
+#include <splinertia/imu/imu_measurement.hpp>
 #include <splinertia/imu/mounting.hpp>
 #include <splinertia/random/random_stream.hpp>
 #include <type_traits>
@@ -36,6 +39,17 @@ class RunAlongMotion {
         clock_(whose, motion_, options),
         key_(StreamKey(options.seed) / options.imu) {
     if constexpr (!std::is_same_v<Mount, NotMounted>) require_finite(whose, mounting);
+  }
+
+  /// What a perfect IMU measures.
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE ImuMeasurement<Scalar> ideal(Time time) const {
+    return flattened<Scalar>([this, time] {
+      if constexpr (std::is_same_v<Mount, NotMounted>) {
+        return ideal_imu(motion_.template evaluate<2>(time), gravity_);
+      } else {
+        return ideal_imu(motion_.template evaluate<2>(time), gravity_, mounting_);
+      }
+    });
   }
 
   Motion motion_;  // a reference where the caller keeps the motion, else the motion itself

@@ -7,23 +7,20 @@
 #include <splinertia/strapdown/preintegration/preintegrator.hpp>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace splinertia {
 
 namespace detail {
 
-/// The scalar of the samples or increments in a range.
-template <std::ranges::input_range Samples>
+/// The scalar of a sample or of an increment.
+template <typename Sample>
 struct SampleScalar {
-  using Sample = std::ranges::range_value_t<Samples>;
-  static auto scalar(const Sample& s) {
-    if constexpr (ImuIncrementLike<Sample>) {
-      return typename std::remove_cvref_t<decltype(s.delta_angle)>::Scalar{};
-    } else {
-      return typename std::remove_cvref_t<decltype(s.gyro)>::Scalar{};
-    }
-  }
-  using type = decltype(scalar(std::declval<const Sample&>()));
+  using type = typename std::remove_cvref_t<decltype(std::declval<const Sample&>().gyro)>::Scalar;
+};
+template <ImuIncrementLike Increment>
+struct SampleScalar<Increment> {
+  using type = typename std::remove_cvref_t<decltype(std::declval<const Increment&>().delta_angle)>::Scalar;
 };
 
 /// A range of ImuSamples or ImuIncrements.
@@ -33,7 +30,7 @@ concept ImuSampleRange = std::ranges::input_range<Samples> && (ImuSampleLike<std
 
 /// The scalar of such a range.
 template <ImuSampleRange Samples>
-using ScalarOfSamples = typename SampleScalar<Samples>::type;
+using ScalarOfSamples = typename SampleScalar<std::ranges::range_value_t<Samples>>::type;
 
 }  // namespace detail
 
