@@ -23,7 +23,7 @@ int main() {
   std::vector<Eigen::Vector3d> errors(runs);
   for_each_index(Parallel{}, runs, [&](std::size_t run) {
     const auto samples = simulate(rest, imu, {.rate = 100, .seed = run, .start = 0.0, .end = duration});
-    Integrator<Midpoint, double> integrator(nav_state(rest.evaluate<1>(0.0), 0.0));
+    Integrator integrator(Midpoint{}, nav_state(rest.evaluate<1>(0.0), 0.0));
     for (const auto& sample : samples) integrator.push(sample);
     errors[run] = integrator.state().p_WB;
   });

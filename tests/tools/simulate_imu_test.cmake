@@ -189,7 +189,7 @@ run(0 "201 samples at 100 Hz.*misalignment: matrix .0 2 0; -1 0 0; 0 0 1.\n  g-s
 run(0 "white_noise: density.*dropped_samples: probability" --help-errors)
 string(REGEX MATCHALL "  [a-z_]+:" terms "${printed}")
 list(LENGTH terms count)
-expect_equal(${count} 23)
+expect_equal(${count} 30)
 file(WRITE "${out}/all.yaml" "# comments, and the units of data sheets
 gyro:
   - second_order_bandwidth: {natural_frequency: 80, damping_ratio: 0.7}
@@ -197,7 +197,11 @@ gyro:
   - misalignment: {percent: [[0.1, 0.05, 0], [0, 0.1, 0], [0, 0, 0.1]]}
   - misalignment: {matrix: [[1, 0, 0], [0.001, 1, 0], [0, 0, 1]]}
   - scale_factor: [0.1 %, 500 ppm, 0]
+  - scale_factor_asymmetry: 200 ppm
+  - vibration_rectification: 1e-6
   - g_sensitivity: 0.015 deg/s/g
+  - g_squared_sensitivity: [1e-6, 0, 0]
+  - size_effect: [[0.001, 0, 0], [0, 0.001, 0], [0, 0, 0.002]]
   - temperature_scale: {coefficient: 40 ppm, initial_temperature: 20, final_temperature: 45, time_constant: 300}
   - temperature_bias: {coefficient: 0.005 deg/s, initial_temperature: 45, reference_temperature: 20}
   - constant_bias: [1 deg/s, 0, 0]
@@ -210,7 +214,10 @@ gyro:
   - sinusoidal_vibration: {amplitude: 0.01, frequency: [30, 30, 60]}
   - random_vibration: {standard_deviation: 0.01, natural_frequency: 40, damping_ratio: 0.1}
   - white_noise: 0.66 deg/sqrt(h)
+  - correlated_noise: {density: 1e-5, correlation: [[1, 0.5, 0], [0.5, 1, 0], [0, 0, 1]]}
   - quantization_noise: 1e-6
+  - spikes: {probability: 0.1 %, standard_deviation: 0.1}
+  - stuck_readings: {probability: 0.001, mean_length: 3}
   - quantization: 0.04 deg/s
   - saturation: 1000 deg/s
 stamps:
@@ -219,7 +226,7 @@ stamps:
   - stamp_jitter: 0.2 ms
   - dropped_samples: 0.01
 ")
-run(0 "second-order bandwidth: natural frequency 80 Hz, damping ratio 0.7\n  first-order bandwidth: cutoff frequency 200 Hz\n.*saturation: limit 17.45[0-9]* rad/s\naccel:\n  ideal\nstamps:\n  clock offset: offset 0.003 s\n.*\n[2-6][0-9] samples were dropped"
+run(0 "second-order bandwidth: natural frequency 80 Hz, damping ratio 0.7\n  first-order bandwidth: cutoff frequency 200 Hz\n.*correlated noise: density 1e-05 .*stuck readings: probability 0.001, mean length 3 samples\n.*saturation: limit 17.45[0-9]* rad/s\naccel:\n  ideal\nstamps:\n  clock offset: offset 0.003 s\n.*\n[2-6][0-9] samples were dropped"
   --errors "${out}/all.yaml" --output "${out}/all")
 file(STRINGS "${out}/all/imu.csv" imu)
 file(STRINGS "${out}/all/groundtruth.csv" truth)

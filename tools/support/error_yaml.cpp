@@ -94,28 +94,43 @@ auto random_vibration(Parameters& p) {
                          p.per_axis("damping_ratio")};
 }
 
+StuckReadings<double> stuck_readings(Parameters& p) {
+  const double probability = p.number("probability");
+  return {probability, p.number("mean_length", 1)};
+}
+
 template <typename Model>
 struct TermReader {
   std::string name, parameters;  // names in the file, and a text for --help-errors
   std::function<void(Parameters&, Model&)> add;
 };
 
-const std::vector<TermReader<AnySensorModel>>& sensor_terms() {
+using SensorTermReader = TermReader<AnySensorModel>;
+
+std::vector<SensorTermReader> bias_and_noise_terms() {
   using Model = AnySensorModel;
-  static const std::vector<TermReader<Model>> table{
-      {"constant_bias", "bias", [](auto& p, Model& m) { m.add(ConstantBias{p.per_axis("bias")}); }},
-      {"turn_on_bias", "standard_deviation",
-       [](auto& p, Model& m) { m.add(TurnOnBias{p.per_axis("standard_deviation")}); }},
-      {"white_noise", "density", [](auto& p, Model& m) { m.add(WhiteNoise{p.per_axis("density")}); }},
-      {"random_walk", "density", [](auto& p, Model& m) { m.add(RandomWalk{p.per_axis("density")}); }},
-      {"gauss_markov", "standard_deviation, correlation_time, [initial_value]",
-       [](auto& p, Model& m) { m.add(gauss_markov(p)); }},
-      {"bias_instability",
-       "coefficient (B) or floor (0.664 B, the in-run stability of data sheets), [shortest], [longest]",
-       [](auto& p, Model& m) { m.add(bias_instability(p)); }},
-      {"rate_ramp", "slope", [](auto& p, Model& m) { m.add(RateRamp{p.per_axis("slope")}); }},
-      {"quantization_noise", "coefficient",
-       [](auto& p, Model& m) { m.add(QuantizationNoise{p.per_axis("coefficient")}); }},
+  return {{"constant_bias", "bias", [](auto& p, Model& m) { m.add(ConstantBias{p.per_axis("bias")}); }},
+          {"turn_on_bias", "standard_deviation",
+           [](auto& p, Model& m) { m.add(TurnOnBias{p.per_axis("standard_deviation")}); }},
+          {"white_noise", "density", [](auto& p, Model& m) { m.add(WhiteNoise{p.per_axis("density")}); }},
+          {"random_walk", "density", [](auto& p, Model& m) { m.add(RandomWalk{p.per_axis("density")}); }},
+          {"gauss_markov", "standard_deviation, correlation_time, [initial_value]",
+           [](auto& p, Model& m) { m.add(gauss_markov(p)); }},
+          {"bias_instability",
+           "coefficient (B) or floor (0.664 B, the in-run stability of data sheets), [shortest], [longest]",
+           [](auto& p, Model& m) { m.add(bias_instability(p)); }},
+          {"rate_ramp", "slope", [](auto& p, Model& m) { m.add(RateRamp{p.per_axis("slope")}); }},
+          {"quantization_noise", "coefficient",
+           [](auto& p, Model& m) { m.add(QuantizationNoise{p.per_axis("coefficient")}); }},
+          {"correlated_noise", "density, correlation (matrix)",
+           [](auto& p, Model& m) { m.add(CorrelatedNoise{p.per_axis("density"), p["correlation"].matrix()}); }},
+          {"spikes", "probability, standard_deviation",
+           [](auto& p, Model& m) { m.add(Spikes{p.per_axis("probability"), p.per_axis("standard_deviation")}); }}};
+}
+
+std::vector<SensorTermReader> scale_and_output_terms() {
+  using Model = AnySensorModel;
+  return {
       {"quantization", "least_significant_bit",
        [](auto& p, Model& m) { m.add(Quantization{p.per_axis("least_significant_bit")}); }},
       {"saturation", "limit", [](auto& p, Model& m) { m.add(Saturation{p.per_axis("limit")}); }},
@@ -135,9 +150,28 @@ const std::vector<TermReader<AnySensorModel>>& sensor_terms() {
       {"random_vibration", "standard_deviation, natural_frequency, damping_ratio",
        [](auto& p, Model& m) { m.add(random_vibration(p)); }},
       {"first_order_bandwidth", "cutoff", [](auto& p, Model& m) { m.add(FirstOrderBandwidth{p.per_axis("cutoff")}); }},
-      {"second_order_bandwidth", "natural_frequency, damping_ratio", [](auto& p, Model& m) {
+      {"second_order_bandwidth", "natural_frequency, damping_ratio",
+       [](auto& p, Model& m) {
          m.add(SecondOrderBandwidth{p.per_axis("natural_frequency"), p.per_axis("damping_ratio")});
-       }}};
+       }},
+      {"scale_factor_asymmetry", "asymmetry",
+       [](auto& p, Model& m) { m.add(ScaleFactorAsymmetry{p.per_axis("asymmetry")}); }},
+      {"vibration_rectification", "coefficient",
+       [](auto& p, Model& m) { m.add(VibrationRectification{p.per_axis("coefficient")}); }},
+      {"g_squared_sensitivity", "sensitivity",
+       [](auto& p, Model& m) { m.add(GSquaredSensitivity{p.per_axis("sensitivity")}); }},
+      {"size_effect", "positions (matrix; column i: position of accelerometer i)",
+       [](auto& p, Model& m) { m.add(SizeEffect{p["positions"].matrix()}); }},
+      {"stuck_readings", "probability, [mean_length]", [](auto& p, Model& m) { m.add(stuck_readings(p)); }}};
+}
+
+const std::vector<SensorTermReader>& sensor_terms() {
+  static const std::vector<SensorTermReader> table = [] {
+    std::vector<SensorTermReader> all = bias_and_noise_terms();
+    const std::vector<SensorTermReader> more = scale_and_output_terms();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return table;
 }
 
