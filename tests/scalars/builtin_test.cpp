@@ -73,6 +73,14 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
   template struct splinertia::Misalignment<Scalar>;                                                         \
   template struct splinertia::detail::KalibrMisalignment<Scalar>;                                           \
   template struct splinertia::GSensitivity<Scalar>;                                                         \
+  template struct splinertia::GSquaredSensitivity<Scalar>;                                                  \
+  template struct splinertia::SizeEffect<Scalar>;                                                           \
+  template struct splinertia::CorrelatedNoise<Scalar, 3>;                                                   \
+  template struct splinertia::ScaleFactorAsymmetry<Scalar>;                                                 \
+  template struct splinertia::VibrationRectification<Scalar>;                                               \
+  template struct splinertia::Spikes<Scalar>;                                                               \
+  template struct splinertia::StuckReadings<Scalar>;                                                        \
+  template class splinertia::SensorErrors<ErrorModel<WhiteNoise<Scalar>>, 2, ErrorModel<>, Scalar, Scalar>; \
   template struct splinertia::SinusoidalVibration<Scalar>;                                                  \
   template struct splinertia::RandomVibration<Scalar>;                                                      \
   template struct splinertia::FirstOrderBandwidth<Scalar>;                                                  \

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
-/// Converts stamped poses to the group and the time type of a curve.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
-#include <ranges>
-#include <splinertia/detail/finite.hpp>
-#include <splinertia/detail/refuse.hpp>
-#include <splinertia/group/known_groups.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
-#include <splinertia/spline/fit/fit_options.hpp>
 #include <splinertia/time.hpp>
-#include <stdexcept>
 #include <vector>
 
 namespace splinertia::detail {
