@@ -200,16 +200,6 @@ run(0 "Usage:.*--type.*--phase-data.*--factors" deviation --help)
 
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
-function(refuse pattern)
-  run(2 "^[^\n]*${pattern}[^\n]*\n$" ${ARGN} --output "${refused}")
-  if(EXISTS "${refused}")
-    message(FATAL_ERROR "allan ${ARGN} left ${refused}")
-  endif()
-endfunction()
-function(refuse_file pattern name text)
-  file(WRITE "${out}/${name}" "${text}")
-  refuse("${name}${pattern}" "${out}/${name}" ${ARGN})
-endfunction()
 refuse("plot_allan.py: needs" "${out}/${name}")   # the script's own line
 refuse("cannot run none, which imu_bag.py needs" "${out}/${name}" --python none)
 write_python("head -99 \"$3\"; echo 'imu_bag.py: message 99 is nan' >&2; exit 2")

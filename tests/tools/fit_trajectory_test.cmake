@@ -232,16 +232,6 @@ run(0 "\nno plot: cannot run ${out}/none, which plot_fit.py needs" "${poses}" --
 
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
-function(refuse pattern)
-  run(2 "^[^\n]*${pattern}[^\n]*\n$" ${ARGN} --output "${refused}")
-  if(EXISTS "${refused}")
-    message(FATAL_ERROR "fit_trajectory ${ARGN} left ${refused}")
-  endif()
-endfunction()
-function(refuse_file pattern name text)
-  file(WRITE "${out}/${name}" "${text}")
-  refuse("${name}${pattern}" "${out}/${name}" ${ARGN})
-endfunction()
 set(pose "0 0 0 0 0 0 1")
 refuse("none.tum: .*[Nn]o such file" "${out}/none.tum")
 refuse_file(": no rows, expected" empty.tum "")

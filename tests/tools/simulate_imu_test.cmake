@@ -247,17 +247,7 @@ endforeach()
 
 # What it must refuse: one line that says what and where, exit code 2, and nothing written.
 set(refused "${out}/refused")
-function(refuse pattern)
-  run(2 "${pattern}" ${ARGN} --output "${refused}")
-  file(GLOB left "${refused}/*")
-  if(left)
-    message(FATAL_ERROR "simulate_imu ${ARGN} left ${left}")
-  endif()
-endfunction()
-function(refuse_file pattern name text)
-  file(WRITE "${out}/${name}" "${text}")
-  refuse("${name}${pattern}" "${out}/${name}" ${ARGN})
-endfunction()
+set(refuse_begin "")
 
 set(pose "0 0 0 0 0 0 1")
 refuse("none.tum: .*[Nn]o such file" "${out}/none.tum")
