@@ -5,6 +5,7 @@
 #include <splinertia/group/stamped.hpp>
 #include <splinertia/imu/mounting.hpp>
 #include <splinertia/motion/kinematics.hpp>
+#include <splinertia/strapdown/detail/advance_attitude.hpp>
 #include <splinertia/strapdown/detail/galilean.hpp>
 #include <splinertia/time.hpp>
 
@@ -47,20 +48,6 @@ template <typename Scalar, TimePoint Time>
 [[nodiscard]] Stamped<SO3xR3<Scalar>, Time> stamped_pose(const NavState<Scalar, Time>& state) {
   return {state.time, {state.R_WB, state.p_WB}};
 }
-
-namespace detail {
-
-/// The product q r of unit quaternions, normalised; without that, rounding would let the norm drift from step to step.
-template <typename Scalar>
-[[nodiscard]] Sophus::SO3<Scalar> advance_attitude(const Eigen::Quaternion<Scalar>& q,
-                                                   const Eigen::Quaternion<Scalar>& r) {
-  const Eigen::Quaternion<Scalar> product = quaternion_product(q, r);
-  // One Newton step for 1/|q|, which is accurate to rounding this close to 1.
-  const Scalar scale = (Scalar(3) - product.squaredNorm()) / Scalar(2);
-  return rotation_from_unit_quaternion(Eigen::Quaternion<Scalar>(product.coeffs() * scale));
-}
-
-}  // namespace detail
 
 /// An inertial world, the default Frame: the motion is what the IMU has measured plus gravity.
 ///   R₁ = R₀ ΔR,  v₁ = v₀ + g h + R₀ Δv,  p₁ = p₀ + v₀ h + g h²/2 + R₀ Δp

@@ -2,8 +2,7 @@
 /// SE(3): how exp, log and the Jacobians act on the translation.
 ///
 /// Tangents are τ = [ρ; φ], translation first as in Sophus. SE(3) is SO(3) over the dual numbers φ + ε ρ. Each
-/// off-diagonal block below is therefore the directional derivative along ρ of the rotation's function. It needs no
-/// coefficients other than those of group/detail/stumpff.hpp.
+/// off-diagonal block below is therefore the directional derivative along ρ of the rotation's function.
 #pragma once
 
 #include <splinertia/group/detail/dual_matrix.hpp>
@@ -11,15 +10,15 @@
 
 namespace splinertia::detail {
 
-/// exp([ρ; φ]): the rotation as a quaternion, and the translation J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ. (The equal
-/// form ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) loses a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.)
+/// What exp([ρ; φ]) is.
 template <typename Scalar>
 struct RigidMotionExp {
   Eigen::Quaternion<Scalar> rotation;
   Eigen::Vector3<Scalar> translation;
 };
 
-/// exp([ρ; φ]).
+/// exp([ρ; φ]). Its translation is J_l(φ) ρ = c₁ ρ + c₂ φ×ρ + c₃ (φ·ρ) φ. The equal form ρ + c₂ φ×ρ + c₃ φ×(φ×ρ) loses
+/// a digit towards π, where ρ and c₃ φ×(φ×ρ) cancel.
 template <typename Scalar>
 [[nodiscard]] inline RigidMotionExp<Scalar> rigid_motion_exp(const Eigen::Vector3<Scalar>& rho,
                                                              const Eigen::Vector3<Scalar>& phi) {

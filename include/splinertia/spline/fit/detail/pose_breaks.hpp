@@ -7,6 +7,7 @@
 #include <limits>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/group/stamped.hpp>
+#include <splinertia/spline/fit/detail/usual_beside.hpp>
 #include <splinertia/spline/fit/pose_statistics.hpp>
 #include <splinertia/time.hpp>
 #include <vector>
@@ -26,30 +27,6 @@ template <LieGroup G, TimePoint Time>
   const Scalar own = length(i), other = length(beside), square = static_cast<Scalar>(usual * usual);
   const Scalar allowance = own * (own + other) / (2 * square);
   return (step(i) - own / other * step(beside)).cwiseAbs() / (std::max)(Scalar(1), allowance);
-}
-
-/// The median of the 17 elements around each element (at the ends, of the nearest 17), and at least the median of all.
-template <typename Vector>
-[[nodiscard]] std::vector<Vector> usual_beside(const std::vector<Vector>& all) {
-  using Scalar = typename Vector::Scalar;
-  const std::size_t window = std::min<std::size_t>(17, all.size());
-  std::vector<Vector> usual(all.size());
-  std::vector<Scalar> values;
-  const auto median = [&](std::size_t from, std::size_t count, Eigen::Index row) {
-    values.clear();
-    for (std::size_t i = from; i < from + count; ++i) values.push_back(all[i][row]);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  for (Eigen::Index row = 0; row < Vector::SizeAtCompileTime; ++row) {
-    const Scalar of_all = median(0, all.size(), row);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const std::size_t from = (std::min)(i > window / 2 ? i - window / 2 : 0, all.size() - window);
-      usual[i][row] = (std::max)(of_all, median(from, window, row));
-    }
-  }
-  return usual;
 }
 
 /// The i, ascending, for which the step from pose i to the next is a break: in some component it differs from the
