@@ -4,7 +4,7 @@
 cmake_policy(VERSION 3.25)
 
 # From top to bottom; adapters may use all. A folder that is not listed belongs to the room that it is in.
-set(rooms detail group motion spline spline/fit random errors imu strapdown calibration evaluation allan io adapters)
+set(rooms detail group motion spline spline/fit random errors imu camera strapdown calibration evaluation allan io adapters)
 set(longest 300)      # lines of a header
 set(most_headers 20)  # of a folder
 

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+#include <splinertia/camera/camera_model.hpp>
+#include <splinertia/camera/detail/direction_scale.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/detail/select.hpp>
+#include <type_traits>
+
+namespace splinertia::detail {
+
+/// Coordinates m on the image plane of focal length 1, with what was requested of their derivatives with respect to
+/// the point and to the Count parameters of a Body. T is a scalar, or a SIMD pack of it.
+template <typename T, int Count, Wrt wrt>
+struct PlanePoint {
+  T x, y;
+  Mask<T> valid;  ///< the point is in the domain
+  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::point), Eigen::Matrix<T, 2, 3>, Eigen::Matrix<T, 0, 0>>
+      by_point;
+  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::parameters) && (Count > 0), Eigen::Matrix<T, 2, Count>,
+                                           Eigen::Matrix<T, 0, 1>> by_parameters;
+};
+
+/// A camera model of the form pixel = (fx mx + cx, fy my + cy). Body, for the scalar Scalar, gives m:
+///   Body::count                      the number of its parameters
+///   Body::leading                    how many of them stand before fx in parameters(); the others stand behind cy
+///   body.parameters(), Body::from(v) as a vector and back; from() throws std::invalid_argument for an empty domain
+///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction that direction_scale() has scaled
+///   body.unmap(mx, my)               the direction, of any length, if (mx, my) is in the image of the domain
+///   body.ray_jacobian(ray, mx, my)   optional: ∂ray/∂m, where inverting ∂m/∂ray loses digits
+template <typename Model, typename BodyType, typename ScalarType>
+class FocalModel {
+ public:
+  using Scalar = ScalarType;
+  using Body = BodyType;
+  static constexpr int parameter_count = 4 + Body::count;
+  using Parameters = Eigen::Matrix<Scalar, parameter_count, 1>;
+
+  [[nodiscard]] const Scalar& fx() const { return fx_; }
+  [[nodiscard]] const Scalar& fy() const { return fy_; }
+  [[nodiscard]] const Scalar& cx() const { return cx_; }
+  [[nodiscard]] const Scalar& cy() const { return cy_; }
+
+  [[nodiscard]] Parameters parameters() const {
+    constexpr int before = Body::leading, behind = Body::count - before;
+    const Eigen::Matrix<Scalar, Body::count, 1> of_body = body_.parameters();
+    Parameters all;
+    all.template head<before>() = of_body.template head<before>();
+    all.template segment<4>(before) << fx_, fy_, cx_, cy_;
+    all.template tail<behind>() = of_body.template tail<behind>();
+    return all;
+  }
+  /// Throws std::invalid_argument as the constructors do.
+  [[nodiscard]] static Model from_parameters(const Parameters& p) {
+    constexpr int before = Body::leading, behind = Body::count - before;
+    Eigen::Matrix<Scalar, Body::count, 1> of_body;
+    of_body.template head<before>() = p.template head<before>();
+    of_body.template tail<behind>() = p.template tail<behind>();
+    return Model(p[before], p[before + 1], p[before + 2], p[before + 3], Body::from(of_body));
+  }
+
+  /// The pixel of a point, or nothing outside the domain.
+  [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> project(const Eigen::Vector3<Scalar>& point) const {
+    Mask<Scalar> valid;
+    const auto p = project_lanes<Wrt::nothing>(point.x(), point.y(), point.z(), valid);
+    if (!valid) return std::nullopt;
+    return p.pixel;
+  }
+
+  /// The pixel of a point with its Jacobians, or nothing outside the domain.
+  template <Wrt wrt>
+  [[nodiscard]] std::optional<Projection<Scalar, parameter_count, wrt>> linearize(
+      const Eigen::Vector3<Scalar>& point) const {
+    Mask<Scalar> valid;
+    const auto p = project_lanes<wrt>(point.x(), point.y(), point.z(), valid);
+    if (!valid) return std::nullopt;
+    return p;
+  }
+
+  /// The ray, of length 1, of the points that have this pixel. Nothing outside the image of the domain.
+  [[nodiscard]] std::optional<Eigen::Vector3<Scalar>> unproject(const Eigen::Vector2<Scalar>& pixel) const {
+    if (!is_finite(pixel.x()) || !is_finite(pixel.y())) return std::nullopt;
+    const std::optional<Eigen::Vector3<Scalar>> ray =
+        body_.unmap(Scalar((pixel.x() - cx_) / fx_), Scalar((pixel.y() - cy_) / fy_));
+    if (!ray) return std::nullopt;
+    const Eigen::Vector3<Scalar> scaled = *ray * direction_scale<Scalar>(ray->x(), ray->y(), ray->z());
+    return scaled / square_root<Scalar>(scaled.squaredNorm());
+  }
+
+  /// The ray with its Jacobian with respect to the pixel.
+  [[nodiscard]] std::optional<Ray<Scalar>> linearize_ray(const Eigen::Vector2<Scalar>& pixel) const {
+    const auto direction = unproject(pixel);
+    if (!direction) return std::nullopt;
+    Ray<Scalar> ray{*direction, {}};
+    const Eigen::Vector3<Scalar>& b = ray.direction;
+    if constexpr (requires { body_.ray_jacobian(b, b.x(), b.x()); }) {
+      ray.pixel_jacobian = body_.ray_jacobian(b, Scalar((pixel.x() - cx_) / fx_), Scalar((pixel.y() - cy_) / fy_));
+    } else {
+      // [∂m/∂ray; rayᵀ] X = [I; 0], because m does not depend on the length of a ray.
+      const auto m = body_.template map<Wrt::point>(b.x(), b.y(), b.z());
+      const Eigen::Vector3<Scalar> u = m.by_point.row(0), v = m.by_point.row(1);
+      const Eigen::Vector3<Scalar> vb = v.cross(b);
+      ray.pixel_jacobian << vb, b.cross(u);
+      ray.pixel_jacobian /= u.dot(vb);
+    }
+    ray.pixel_jacobian.col(0) /= fx_;
+    ray.pixel_jacobian.col(1) /= fy_;
+    return ray;
+  }
+
+  /// The projection of a point or of a SIMD pack of points, and which are in the domain.
+  template <Wrt wrt, typename T>
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Projection<T, parameter_count, wrt> project_lanes(
+      const T& x, const T& y, const T& z, Mask<T>& valid) const {
+    const T scale = direction_scale<T>(x, y, z);
+    const auto m = body_.template map<wrt, T>(T(x * scale), T(y * scale), T(z * scale));
+    const T fx(fx_), fy(fy_);
+    Projection<T, parameter_count, wrt> p;
+    p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
+    valid = m.valid & finite_lanes<T>(p.pixel.x()) & finite_lanes<T>(p.pixel.y());
+    if constexpr (includes(wrt, Wrt::point)) {
+      p.point_jacobian.row(0) = m.by_point.row(0) * (fx * scale);
+      p.point_jacobian.row(1) = m.by_point.row(1) * (fy * scale);
+    }
+    if constexpr (includes(wrt, Wrt::parameters)) {
+      constexpr int before = Body::leading, behind = Body::count - before;
+      auto& J = p.parameter_jacobian;
+      J.template middleCols<4>(before) << m.x, T(0), T(1), T(0), T(0), m.y, T(0), T(1);
+      if constexpr (before > 0) {
+        J.row(0).template head<before>() = m.by_parameters.row(0).template head<before>() * fx;
+        J.row(1).template head<before>() = m.by_parameters.row(1).template head<before>() * fy;
+      }
+      if constexpr (behind > 0) {
+        J.row(0).template tail<behind>() = m.by_parameters.row(0).template tail<behind>() * fx;
+        J.row(1).template tail<behind>() = m.by_parameters.row(1).template tail<behind>() * fy;
+      }
+    }
+    return p;
+  }
+
+ protected:
+  FocalModel(const char* name, const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const Body& body)
+      : fx_(fx), fy_(fy), cx_(cx), cy_(cy), body_(body) {
+    require_positive(name, "fx", fx);
+    require_positive(name, "fy", fy);
+    require_finite(name, "cx", cx);
+    require_finite(name, "cy", cy);
+  }
+
+  [[nodiscard]] const Body& body() const { return body_; }
+
+ private:
+  Scalar fx_, fy_, cx_, cy_;
+  Body body_;
+};
+
+}  // namespace splinertia::detail

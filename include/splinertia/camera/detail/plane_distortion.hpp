@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+/// Distortions of the image plane: of a point m of the undistorted image of focal length 1. A distortion D has
+///   D::count, d.parameters(), D::from(v)   its parameters
+///   d.distort<wrt>(x, y)                   the distorted point, whether m is in the domain, and derivatives
+///   d.undistort(x, y)                      the inverse, if the point is in the image of the domain
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <limits>
+#include <optional>
+#include <splinertia/camera/camera_model.hpp>
+#include <splinertia/camera/detail/direction_scale.hpp>
+#include <splinertia/camera/detail/increasing_inverse.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/select.hpp>
+#include <type_traits>
+
+namespace splinertia::detail {
+
+/// A distorted point, with what was requested of its derivatives with respect to the undistorted point and to the
+/// Count parameters.
+template <typename T, int Count, Wrt wrt>
+struct Distorted {
+  T x, y;
+  Mask<T> valid;  ///< the undistorted point is in the domain
+  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::point), Eigen::Matrix2<T>, Eigen::Matrix<T, 0, 0>>
+      by_point;
+  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::parameters) && (Count > 0), Eigen::Matrix<T, 2, Count>,
+                                           Eigen::Matrix<T, 0, 1>> by_parameters;
+};
+
+/// A radial factor g(s), s = |m|², and tangential terms (Brown 1966), as OpenCV defines them:
+///   x' = x g + 2 p1 x y + p2 (s + 2 x²),   y' = y g + p1 (s + 2 y²) + 2 p2 x y
+/// `slope` is dg/ds; the columns of by_parameters from `at` on are set to the derivatives by p1 and p2.
+template <Wrt wrt, int Count, typename T>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Distorted<T, Count, wrt> distort_brown(const T& x, const T& y, const T& g,
+                                                                                     const T& slope, const T& p1,
+                                                                                     const T& p2) {
+  Distorted<T, Count, wrt> m;
+  const T xx = x * x, yy = y * y, xy = x * y, two_xy = xy + xy, s = xx + yy;
+  const T tx = s + (xx + xx), ty = s + (yy + yy);
+  m.x = x * g + (p1 * two_xy + p2 * tx);
+  m.y = y * g + (p1 * ty + p2 * two_xy);
+  if constexpr (includes(wrt, Wrt::point)) {
+    const T twice = slope + slope, p1x = p1 * x, p1y = p1 * y, p2x = p2 * x, p2y = p2 * y;
+    const T mixed = twice * xy + T(2) * (p1x + p2y);
+    m.by_point << g + twice * xx + (T(2) * p1y + T(6) * p2x), mixed, mixed, g + twice * yy + (T(6) * p1y + T(2) * p2x);
+  }
+  if constexpr (includes(wrt, Wrt::parameters)) {
+    m.by_parameters.template middleCols<2>(2) << two_xy, tx, ty, two_xy;
+  }
+  return m;
+}
+
+/// A solution m of distort(m) = target in the domain, by Newton's method from `start` until the residual no longer falls.
+/// Steps that leave the domain or increase the residual are halved. Nothing if the residual stays above rounding.
+template <typename Scalar>
+[[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort_from(const auto& distortion,
+                                                                   const Eigen::Vector2<Scalar>& target,
+                                                                   const Eigen::Vector2<Scalar>& start) {
+  using Vector = Eigen::Vector2<Scalar>;
+  const auto at = [&](const Vector& m) { return distortion.template distort<Wrt::point, Scalar>(m.x(), m.y()); };
+  const auto residual = [&](const auto& d) { return Vector(d.x - target.x(), d.y - target.y()); };
+  const Scalar rounding = Scalar(32) * std::numeric_limits<Scalar>::epsilon() * (target.norm() + start.norm());
+  Vector m = start;
+  auto here = at(m);
+  Vector error = residual(here);
+  for (int i = 0; i < 100 && error.squaredNorm() > Scalar(0); ++i) {
+    Vector step = here.by_point.inverse() * error;
+    const int most_trials = error.norm() <= rounding ? 1 : 60;
+    int trial = 0;
+    for (; trial < most_trials; ++trial, step /= Scalar(2)) {
+      const Vector next = m - step;
+      const auto there = at(next);
+      const Vector left = residual(there);
+      if (!there.valid || !(left.squaredNorm() < error.squaredNorm())) continue;
+      m = next;
+      here = there;
+      error = left;
+      break;
+    }
+    if (trial == most_trials) break;
+  }
+  if (!here.valid || !(error.norm() <= rounding)) return std::nullopt;
+  return m;
+}
+
+/// The inverse of a distortion that is nearly radial: (x, y) = distort(m). `radial(r, slope)` is the distorted radius
+/// without tangential terms. It increases on [0, limit] to `end`. First the radial part is inverted. Then Newton's method
+/// in two dimensions adds the tangential part.
+///
+/// Tangential terms shift the line on which the image folds: on one side it lies inside the domain, which is defined by
+/// the radial part alone. Two points of the domain then have the same pixel, and the outer one is returned.
+template <typename Scalar>
+[[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort_brown(const auto& distortion, const auto& radial,
+                                                                    const Scalar& x, const Scalar& y,
+                                                                    const Scalar& limit, const Scalar& end,
+                                                                    bool tangential) {
+  using Vector = Eigen::Vector2<Scalar>;
+  const Vector target(x, y);
+  const Scalar squared = target.squaredNorm(), epsilon = std::numeric_limits<Scalar>::epsilon();
+  if (squared < smallest_square<Scalar>()) return target;  // distortion is of higher order
+  const Scalar radius = square_root(squared);
+  if (!is_finite(radius) || (!tangential && !(radius < end))) return std::nullopt;
+  const Scalar border = limit * (Scalar(1) - Scalar(8) * epsilon);
+  const Scalar r = radius < end ? increasing_inverse<Scalar>(radial, radius, Scalar(0), limit,
+                                                             radius < limit ? radius : Scalar(limit / Scalar(2)))
+                                : border;
+  const Vector first = target * (r / radius);
+  if (!tangential) return first;
+  const auto m = undistort_from<Scalar>(distortion, target, first);
+  if (!(limit < (std::numeric_limits<Scalar>::max)())) return m;
+  // The point of the border whose image lies in the direction of the target.
+  Vector outermost = (m ? *m : first).normalized() * border;
+  auto d = distortion.template distort<Wrt::point, Scalar>(outermost.x(), outermost.y());
+  for (int i = 0; i < 3; ++i) {
+    const Vector distorted(d.x, d.y), across(-outermost.y(), outermost.x());
+    const Vector turned =
+        outermost - across * (across.dot(distorted - target) / across.dot(across)) * (border / radius);
+    outermost = turned.normalized() * border;
+    d = distortion.template distort<Wrt::point, Scalar>(outermost.x(), outermost.y());
+  }
+  const bool folded = d.by_point.determinant() < Scalar(0) && Vector(d.x - x, d.y - y).dot(outermost) < Scalar(0);
+  if (!folded) return m;
+  const auto outer = undistort_from<Scalar>(distortion, target, outermost);
+  return outer ? outer : m;
+}
+
+}  // namespace splinertia::detail
