@@ -51,7 +51,7 @@ inline constexpr bool is_time_difference<std::chrono::duration<Rep, Period>> = t
 
 /// A time difference in seconds. Take the difference in the type of time, so that stamps since an epoch lose no
 /// precision.
-template <typename Scalar, typename Time>
+template <typename Scalar = double, typename Time>
   requires detail::is_time_difference<Time>
 [[nodiscard]] constexpr Scalar to_seconds(Time difference) {
   if constexpr (std::floating_point<Time>) {

@@ -42,9 +42,15 @@ struct StampedSensorReading : SensorReading<Axes, Scalar, Time> {
 ///
 ///   auto gnss = sensor_errors<3>(model, stamps, StreamKey(seed) / "gnss");
 ///   if (const auto fix = gnss.apply(time, position, 0.1)) …     // empty if the sample is dropped
-template <detail::SensorModel Model, int Axes = 1, detail::ClockModel Stamps = ErrorModel<>, typename Scalar = double,
+template <typename Model, int Axes = 1, typename Stamps = ErrorModel<>, typename Scalar = double,
           TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class SensorErrors {
+  static_assert(detail::SensorModel<Model>,
+                "a sensor has an ErrorModel: SensorErrors(ErrorModel{WhiteNoise{0.01}}, key); errors of time stamps "
+                "(ClockOffset, DroppedSamples, …) are a second one: SensorErrors(model, stamps, key)");
+  static_assert(detail::ClockModel<Stamps>,
+                "the second model of a sensor is the ErrorModel of its stamps (ClockOffset, DroppedSamples, …): "
+                "SensorErrors(model, stamps, key)");
   using Sample = SensorSample<Scalar, Axes>;
   using State = detail::StateOfModel<Model, Axes, Generator>;
   using Clock = detail::RunClock<Stamps, Scalar, Time, Generator>;
@@ -99,12 +105,12 @@ class SensorErrors {
 /// The same with the number of axes, the scalar, the type of time or the generator given, the models deduced:
 /// sensor_errors<2>(model, key), sensor_errors<3, double, std::chrono::nanoseconds>(model, stamps, key).
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
-          detail::SensorModel Model>
+          typename Model>
 [[nodiscard]] auto sensor_errors(const Model& model, StreamKey sensor) {
   return SensorErrors<Model, Axes, ErrorModel<>, Scalar, Time, Generator>(model, sensor);
 }
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
-          detail::SensorModel Model, detail::ClockModel Stamps>
+          typename Model, typename Stamps>
 [[nodiscard]] auto sensor_errors(const Model& model, const Stamps& stamps, StreamKey sensor) {
   return SensorErrors<Model, Axes, Stamps, Scalar, Time, Generator>(model, stamps, sensor);
 }

@@ -17,7 +17,7 @@ inline constexpr bool is_term = ErrorTerm<T> && !SensorModel<T> && !ClockModel<T
 }  // namespace detail
 
 /// The errors of an IMU: of its two sensors and of the time stamps of its samples. Write Imu{gyro, accel} or
-/// Imu{gyro, accel, stamps}.
+/// Imu{gyro, accel, stamps}; a part that is {} has no errors.
 template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>, typename Stamps = ErrorModel<>>
 struct Imu {
   static_assert(!detail::is_term<Gyro> && !detail::is_term<Accel> && !detail::is_term<Stamps>,
@@ -40,10 +40,22 @@ struct Imu {
   [[no_unique_address]] Stamps stamps{};
 };
 
-template <typename Gyro, typename Accel>
-Imu(Gyro, Accel) -> Imu<Gyro, Accel>;
-template <typename Gyro, typename Accel, typename Stamps>
+// Parts that are {} have no errors.
+template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>, typename Stamps = ErrorModel<>>
 Imu(Gyro, Accel, Stamps) -> Imu<Gyro, Accel, Stamps>;
+template <typename Gyro = ErrorModel<>, typename Accel = ErrorModel<>>
+Imu(Gyro, Accel) -> Imu<Gyro, Accel>;
+template <typename Gyro>
+Imu(Gyro) -> Imu<Gyro>;
+
+namespace detail {
+
+template <typename T>
+inline constexpr bool is_imu = false;
+template <typename Gyro, typename Accel, typename Stamps>
+inline constexpr bool is_imu<Imu<Gyro, Accel, Stamps>> = true;
+
+}  // namespace detail
 
 /// One simulated sample: a sample with the true biases that it contains.
 template <typename Scalar = double, TimePoint Time = double>

@@ -20,6 +20,8 @@ namespace splinertia {
 ///   if (errors.apply(time, ideal, interval, reading)) …
 template <typename Sensors, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class ImuErrors {
+  static_assert(detail::is_imu<Sensors>,
+                "the errors of an IMU are an Imu: Imu{ErrorModel{WhiteNoise{0.01}}, ErrorModel{}}");
   using Clock = detail::RunClock<decltype(Sensors::stamps), Scalar, Time, Generator>;
 
  public:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
@@ -31,6 +32,7 @@ class RunClock {
   SPLINERTIA_ALWAYS_INLINE explicit RunClock(State stamps) : stamps_(std::move(stamps)) {}
 
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Instant sample_at(Time time, const Scalar& interval) {
+    assert(interval > Scalar(0) && "an interval between samples is positive");
     const bool first = first_;
     if (first) start_ = time;
     first_ = false;
