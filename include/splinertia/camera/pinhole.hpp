@@ -17,6 +17,7 @@ template <typename Distortion>
 struct PerspectiveBody {
   using Scalar = typename Distortion::Scalar;
   static constexpr int count = Distortion::count, leading = 0;
+  static constexpr bool needs_scale = false;
 
   Distortion distortion;
 
@@ -78,8 +79,9 @@ class Pinhole : public detail::FocalModel<Pinhole<Distortion>, typename detail::
 
  private:
   friend Base;
-  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const Body& body)
+  template <std::same_as<Body> B>
     requires(!std::same_as<Body, Distortion>)
+  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const B& body)
       : Base("Pinhole", fx, fy, cx, cy, body) {}
 };
 

@@ -30,8 +30,9 @@ struct PlanePoint {
 /// A camera model of the form pixel = (fx mx + cx, fy my + cy). Body, for the scalar Scalar, gives m:
 ///   Body::count                      the number of its parameters
 ///   Body::leading                    how many of them stand before fx in parameters(); the others stand behind cy
+///   Body::needs_scale                whether map() squares coordinates of the point
 ///   body.parameters(), Body::from(v) as a vector and back; from() throws std::invalid_argument for an empty domain
-///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction that direction_scale() has scaled
+///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction, which direction_scale() has scaled if needed
 ///   body.unmap(mx, my)               the direction, of any length, if (mx, my) is in the image of the domain
 ///   body.ray_jacobian(ray, mx, my)   optional: ∂ray/∂m, where inverting ∂m/∂ray loses digits
 template <typename Model, typename BodyType, typename ScalarType>
@@ -118,7 +119,7 @@ class FocalModel {
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Projection<T, parameter_count, wrt> project_lanes(
       const T& x, const T& y, const T& z, Mask<T>& valid) const {
-    const T scale = direction_scale<T>(x, y, z);
+    const T scale = Body::needs_scale ? direction_scale<T>(x, y, z) : T(1);
     const auto m = body_.template map<wrt, T>(T(x * scale), T(y * scale), T(z * scale));
     const T fx(fx_), fy(fy_);
     Projection<T, parameter_count, wrt> p;

@@ -9,27 +9,35 @@ namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve it often enough, is replaced by its middle. It ends where steps no longer change x, which
-/// takes at most 8 steps except close to an end at which the slope is zero.
+/// left, or does not halve it often enough, is replaced by its middle. It ends where another step would not change x, by
+/// the quadratic convergence of the last two steps.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
+  using std::abs;
+  const Scalar rounding = std::numeric_limits<Scalar>::epsilon() / Scalar(4);
   Scalar x = start;
-  Scalar last_step = high - low;
+  Scalar last = high - low;
+  bool newton = false;
   for (int i = 0; i < 200; ++i) {
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
     if (excess == Scalar(0)) return x;
     (excess > Scalar(0) ? high : low) = x;
-    Scalar next = x - excess / slope;
-    const Scalar step = next > x ? next - x : x - next;
-    if (!(low < next && next < high) || (i > 3 && step > last_step / Scalar(2))) {
+    Scalar step = excess / slope;
+    Scalar next = x - step;
+    const bool was_newton = newton;
+    newton = low < next && next < high && (i < 4 || abs(step) < last / Scalar(2));
+    if (!newton) {
       next = low + (high - low) / Scalar(2);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
+      step = x - next;
     }
-    const Scalar moved = next > x ? next - x : x - next;
-    if (!(moved > std::numeric_limits<Scalar>::epsilon() / Scalar(2) * (x > Scalar(0) ? x : -x))) return next;
-    last_step = moved;
+    const Scalar moved = abs(step);
+    const Scalar predicted =
+        was_newton && newton && moved < last ? Scalar(moved * (moved / last) * (moved / last)) : moved;
     x = next;
+    if (!(predicted > rounding * abs(x))) return x;
+    last = moved;
   }
   return x;
 }

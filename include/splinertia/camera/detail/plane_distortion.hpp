@@ -88,30 +88,36 @@ template <typename Scalar>
 }
 
 /// The inverse of a distortion that is nearly radial: (x, y) = distort(m). `radial(r, slope)` is the distorted radius
-/// without tangential terms. It increases on [0, limit] to `end`. First the radial part is inverted. Then Newton's method
-/// in two dimensions adds the tangential part.
+/// without tangential terms. It increases on [0, limit] to `end`. `tangential` is |p1| + |p2|. First the radial part is
+/// inverted. Then Newton's method in two dimensions adds the tangential part.
 ///
 /// Tangential terms shift the line on which the image folds: on one side it lies inside the domain, which is defined by
-/// the radial part alone. Two points of the domain then have the same pixel, and the outer one is returned.
+/// the radial part alone. Two points of the domain then have the same pixel, and the outer one is returned. That can only
+/// be where the slope of the radius is of the size of the tangential terms' derivatives, at most 6 tangential |m|.
 template <typename Scalar>
 [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort_brown(const auto& distortion, const auto& radial,
                                                                     const Scalar& x, const Scalar& y,
                                                                     const Scalar& limit, const Scalar& end,
-                                                                    bool tangential) {
+                                                                    const Scalar& tangential) {
   using Vector = Eigen::Vector2<Scalar>;
   const Vector target(x, y);
   const Scalar squared = target.squaredNorm(), epsilon = std::numeric_limits<Scalar>::epsilon();
   if (squared < smallest_square<Scalar>()) return target;  // distortion is of higher order
   const Scalar radius = square_root(squared);
-  if (!is_finite(radius) || (!tangential && !(radius < end))) return std::nullopt;
+  if (!is_finite(radius) || (tangential == Scalar(0) && !(radius < end))) return std::nullopt;
   const Scalar border = limit * (Scalar(1) - Scalar(8) * epsilon);
   const Scalar r = radius < end ? increasing_inverse<Scalar>(radial, radius, Scalar(0), limit,
                                                              radius < limit ? radius : Scalar(limit / Scalar(2)))
                                 : border;
   const Vector first = target * (r / radius);
-  if (!tangential) return first;
+  if (tangential == Scalar(0)) return first;
   const auto m = undistort_from<Scalar>(distortion, target, first);
   if (!(limit < (std::numeric_limits<Scalar>::max)())) return m;
+  if (m) {
+    Scalar slope;
+    (void)radial(m->norm(), slope);
+    if (slope > Scalar(24) * tangential * limit) return m;
+  }
   // The point of the border whose image lies in the direction of the target.
   Vector outermost = (m ? *m : first).normalized() * border;
   auto d = distortion.template distort<Wrt::point, Scalar>(outermost.x(), outermost.y());

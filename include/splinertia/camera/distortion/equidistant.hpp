@@ -24,6 +24,7 @@ class Equidistant {
  public:
   using Scalar = ScalarType;
   static constexpr int count = 4, leading = 0;
+  static constexpr bool needs_scale = true;
   static constexpr const char* name = "equi";
 
   Equidistant(const Scalar& k1, const Scalar& k2, const Scalar& k3, const Scalar& k4) : k_{k1, k2, k3, k4} {

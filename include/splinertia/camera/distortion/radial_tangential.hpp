@@ -51,7 +51,8 @@ class RadialTangential {
 
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort(const Scalar& x, const Scalar& y) const {
     const auto radius = [this](const Scalar& r, Scalar& slope) { return radial(r, slope); };
-    return detail::undistort_brown<Scalar>(*this, radius, x, y, limit_, end_, p1_ != Scalar(0) || p2_ != Scalar(0));
+    return detail::undistort_brown<Scalar>(*this, radius, x, y, limit_, end_,
+                                           Scalar(detail::magnitude(p1_) + detail::magnitude(p2_)));
   }
 
  private:

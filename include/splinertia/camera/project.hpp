@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <splinertia/camera/camera_model.hpp>
+#include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/select.hpp>
+#include <splinertia/detail/simd_pack.hpp>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace splinertia {
+
+namespace detail {
+
+/// Coordinate `Row` of as many points as a pack has lanes.
+template <typename Pack, int Row, typename Scalar>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Pack gather(const Eigen::Vector3<Scalar>* points) {
+  Pack pack;
+  const auto fill = [&]<std::size_t... Lane>(int vector, std::index_sequence<Lane...>) {
+    const Eigen::Vector3<Scalar>* first = points + vector * Pack::width;
+    pack.vector[vector] = typename Pack::Vector{first[Lane][Row]...};
+  };
+  for (int i = 0; i < Pack::vectors; ++i) fill(i, std::make_index_sequence<static_cast<std::size_t>(Pack::width)>{});
+  return pack;
+}
+
+}  // namespace detail
+
+/// Projects many points, at once as many as a SIMD instruction holds: pixels[i] is the image of points[i] if inside[i];
+/// otherwise the point is outside the domain of the model and pixels[i] is unchanged. Returns the number of points
+/// inside. Throws std::invalid_argument unless the three spans have the same size.
+template <CameraModel M>
+std::size_t project(const M& model, std::type_identity_t<std::span<const Eigen::Vector3<typename M::Scalar>>> points,
+                    std::type_identity_t<std::span<Eigen::Vector2<typename M::Scalar>>> pixels,
+                    std::type_identity_t<std::span<bool>> inside) {
+  using Scalar = typename M::Scalar;
+  if (pixels.size() != points.size() || inside.size() != points.size()) {
+    detail::refuse<std::invalid_argument>("project: ", points.size(), " points, ", pixels.size(), " pixels, ",
+                                          inside.size(), " flags, expected as many of each");
+  }
+  std::size_t count = 0, i = 0;
+  if constexpr (std::same_as<Scalar, float> || std::same_as<Scalar, double>) {
+    using Pack = detail::NativeSimdPack<Scalar>;
+    constexpr auto lanes = static_cast<std::size_t>(Pack::size);
+    for (; i + lanes <= points.size(); i += lanes) {
+      const Eigen::Vector3<Scalar>* p = &points[i];
+      detail::Mask<Pack> valid;
+      const auto projected = model.template project_lanes<Wrt::nothing, Pack>(
+          detail::gather<Pack, 0, Scalar>(p), detail::gather<Pack, 1, Scalar>(p), detail::gather<Pack, 2, Scalar>(p),
+          valid);
+      for (std::size_t k = 0; k < lanes; ++k) {
+        const int vector = static_cast<int>(k) / Pack::width, lane = static_cast<int>(k) % Pack::width;
+        const bool ok = valid.vector[vector][lane] != 0;
+        inside[i + k] = ok;
+        count += ok ? 1 : 0;
+        if (ok) pixels[i + k] = {projected.pixel.x().vector[vector][lane], projected.pixel.y().vector[vector][lane]};
+      }
+    }
+  }
+  for (; i < points.size(); ++i) {
+    const auto pixel = model.project(points[i]);
+    inside[i] = pixel.has_value();
+    if (!pixel) continue;
+    pixels[i] = *pixel;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace splinertia
