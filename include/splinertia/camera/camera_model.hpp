@@ -49,6 +49,7 @@ struct ParameterJacobian<Scalar, Parameters, true> {
 template <typename Scalar, int Parameters, Wrt wrt>
 struct Projection : detail::PointJacobian<Scalar, includes(wrt, Wrt::point)>,
                     detail::ParameterJacobian<Scalar, Parameters, includes(wrt, Wrt::parameters)> {
+  Projection() {}  // = default would fill all matrices with zeros first
   Eigen::Vector2<Scalar> pixel;
 };
 

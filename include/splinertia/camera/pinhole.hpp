@@ -34,8 +34,13 @@ struct PerspectiveBody {
     m.y = d.y;
     m.valid = d.valid & less<T>(T(0), z);
     if constexpr (includes(wrt, Wrt::point)) {
-      const Eigen::Matrix2<T> D = d.by_point * (T(1) / z);
-      m.by_point << D(0, 0), D(0, 1), -(D(0, 0) * u + D(0, 1) * v), D(1, 0), D(1, 1), -(D(1, 0) * u + D(1, 1) * v);
+      const T one_over_z = T(1) / z;
+      for (int row = 0; row < 2; ++row) {
+        const T dx = d.by_point(row, 0) * one_over_z, dy = d.by_point(row, 1) * one_over_z;
+        m.by_point(row, 0) = dx;
+        m.by_point(row, 1) = dy;
+        m.by_point(row, 2) = -(dx * u + dy * v);
+      }
     }
     if constexpr (includes(wrt, Wrt::parameters) && count > 0) m.by_parameters = d.by_parameters;
     return m;

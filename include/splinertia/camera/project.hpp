@@ -50,10 +50,10 @@ std::size_t project(const M& model, std::type_identity_t<std::span<const Eigen::
     constexpr auto lanes = static_cast<std::size_t>(Pack::size);
     for (; i + lanes <= points.size(); i += lanes) {
       const Eigen::Vector3<Scalar>* p = &points[i];
-      detail::Mask<Pack> valid;
-      const auto projected = model.template project_lanes<Wrt::nothing, Pack>(
+      Projection<Pack, M::parameter_count, Wrt::nothing> projected;
+      const auto valid = model.template project_lanes<Wrt::nothing, Pack>(
           detail::gather<Pack, 0, Scalar>(p), detail::gather<Pack, 1, Scalar>(p), detail::gather<Pack, 2, Scalar>(p),
-          valid);
+          projected);
       for (std::size_t k = 0; k < lanes; ++k) {
         const int vector = static_cast<int>(k) / Pack::width, lane = static_cast<int>(k) % Pack::width;
         const bool ok = valid.vector[vector][lane] != 0;

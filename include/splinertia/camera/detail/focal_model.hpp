@@ -12,6 +12,7 @@
 #include <splinertia/detail/require.hpp>
 #include <splinertia/detail/select.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace splinertia::detail {
 
@@ -68,9 +69,8 @@ class FocalModel {
 
   /// The pixel of a point, or nothing outside the domain.
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> project(const Eigen::Vector3<Scalar>& point) const {
-    Mask<Scalar> valid;
-    const auto p = project_lanes<Wrt::nothing>(point.x(), point.y(), point.z(), valid);
-    if (!valid) return std::nullopt;
+    Projection<Scalar, parameter_count, Wrt::nothing> p;
+    if (!project_one(point, p)) return std::nullopt;
     return p.pixel;
   }
 
@@ -78,9 +78,8 @@ class FocalModel {
   template <Wrt wrt>
   [[nodiscard]] std::optional<Projection<Scalar, parameter_count, wrt>> linearize(
       const Eigen::Vector3<Scalar>& point) const {
-    Mask<Scalar> valid;
-    const auto p = project_lanes<wrt>(point.x(), point.y(), point.z(), valid);
-    if (!valid) return std::nullopt;
+    std::optional<Projection<Scalar, parameter_count, wrt>> p(std::in_place);  // filled in place: copies cost a tenth
+    if (!project_one(point, *p)) p.reset();
     return p;
   }
 
@@ -115,34 +114,14 @@ class FocalModel {
     return ray;
   }
 
-  /// The projection of a point or of a SIMD pack of points, and which are in the domain.
+  /// The projections of a SIMD pack of points, and which are in the domain.
   template <Wrt wrt, typename T>
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Projection<T, parameter_count, wrt> project_lanes(
-      const T& x, const T& y, const T& z, Mask<T>& valid) const {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Mask<T> project_lanes(const T& x, const T& y, const T& z,
+                                                                      Projection<T, parameter_count, wrt>& p) const {
     const T scale = Body::needs_scale ? direction_scale<T>(x, y, z) : T(1);
-    const auto m = body_.template map<wrt, T>(T(x * scale), T(y * scale), T(z * scale));
-    const T fx(fx_), fy(fy_);
-    Projection<T, parameter_count, wrt> p;
-    p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
-    valid = m.valid & finite_lanes<T>(p.pixel.x()) & finite_lanes<T>(p.pixel.y());
-    if constexpr (includes(wrt, Wrt::point)) {
-      p.point_jacobian.row(0) = m.by_point.row(0) * (fx * scale);
-      p.point_jacobian.row(1) = m.by_point.row(1) * (fy * scale);
-    }
-    if constexpr (includes(wrt, Wrt::parameters)) {
-      constexpr int before = Body::leading, behind = Body::count - before;
-      auto& J = p.parameter_jacobian;
-      J.template middleCols<4>(before) << m.x, T(0), T(1), T(0), T(0), m.y, T(0), T(1);
-      if constexpr (before > 0) {
-        J.row(0).template head<before>() = m.by_parameters.row(0).template head<before>() * fx;
-        J.row(1).template head<before>() = m.by_parameters.row(1).template head<before>() * fy;
-      }
-      if constexpr (behind > 0) {
-        J.row(0).template tail<behind>() = m.by_parameters.row(0).template tail<behind>() * fx;
-        J.row(1).template tail<behind>() = m.by_parameters.row(1).template tail<behind>() * fy;
-      }
-    }
-    return p;
+    const Mask<T> valid = project_scaled<wrt, T>(T(x * scale), T(y * scale), T(z * scale), p);
+    if constexpr (includes(wrt, Wrt::point) && Body::needs_scale) p.point_jacobian *= scale;
+    return valid;
   }
 
  protected:
@@ -157,6 +136,60 @@ class FocalModel {
   [[nodiscard]] const Body& body() const { return body_; }
 
  private:
+  template <Wrt wrt>
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline bool project_one(const Eigen::Vector3<Scalar>& point,
+                                                                 Projection<Scalar, parameter_count, wrt>& p) const {
+    const Scalar &x = point.x(), &y = point.y(), &z = point.z();
+    if constexpr (Body::needs_scale && std::is_floating_point_v<Scalar>) {
+      const Scalar square = x * x + y * y + z * z;
+      if (!(square > smallest_square<Scalar>() && square < Scalar(1) / smallest_square<Scalar>())) {
+        return project_extreme(point, p);
+      }
+    }
+    return project_scaled<wrt, Scalar>(x, y, z, p);
+  }
+  template <Wrt wrt>
+  [[nodiscard]] SPLINERTIA_COLD bool project_extreme(const Eigen::Vector3<Scalar>& point,
+                                                     Projection<Scalar, parameter_count, wrt>& p) const {
+    return project_lanes<wrt, Scalar>(point.x(), point.y(), point.z(), p);
+  }
+
+  template <Wrt wrt, typename T>
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Mask<T> project_scaled(const T& x, const T& y, const T& z,
+                                                                       Projection<T, parameter_count, wrt>& p) const {
+    const auto m = body_.template map<wrt, T>(x, y, z);
+    const T fx(fx_), fy(fy_);
+    p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
+    if constexpr (includes(wrt, Wrt::point)) scale_rows<0>(m.by_point, p.point_jacobian, std::make_index_sequence<3>{});
+    if constexpr (includes(wrt, Wrt::parameters)) {
+      constexpr int before = Body::leading, behind = Body::count - before;
+      auto& J = p.parameter_jacobian;
+      set_column<before>(J, m.x, T(0));
+      set_column<before + 1>(J, T(0), m.y);
+      set_column<before + 2>(J, T(1), T(0));
+      set_column<before + 3>(J, T(0), T(1));
+      if constexpr (before > 0) scale_rows<0>(m.by_parameters, J, std::make_index_sequence<before>{});
+      if constexpr (behind > 0) scale_rows<4, before>(m.by_parameters, J, std::make_index_sequence<behind>{});
+    }
+    return m.valid & finite_lanes<T>(p.pixel.x() + p.pixel.y());
+  }
+
+  // The columns from First on are multiplied by the focal lengths and stored Shift columns further right. Constant
+  // indices keep matrices in registers.
+  template <int Shift, int First = 0, std::size_t... Column>
+  SPLINERTIA_ALWAYS_INLINE inline void scale_rows(const auto& from, auto& to, std::index_sequence<Column...>) const {
+    using T = std::remove_cvref_t<decltype(to(0, 0))>;
+    const T fx(fx_), fy(fy_);
+    (set_column<Shift + First + static_cast<int>(Column)>(to, T(fx * from(0, First + static_cast<int>(Column))),
+                                                          T(fy * from(1, First + static_cast<int>(Column)))),
+     ...);
+  }
+  template <int Column, typename T>
+  SPLINERTIA_ALWAYS_INLINE static inline void set_column(auto& matrix, const T& u, const T& v) {
+    matrix(0, Column) = u;
+    matrix(1, Column) = v;
+  }
+
   Scalar fx_, fy_, cx_, cy_;
   Body body_;
 };

@@ -46,10 +46,14 @@ template <Wrt wrt, int Count, typename T>
   if constexpr (includes(wrt, Wrt::point)) {
     const T twice = slope + slope, p1x = p1 * x, p1y = p1 * y, p2x = p2 * x, p2y = p2 * y;
     const T mixed = twice * xy + T(2) * (p1x + p2y);
-    m.by_point << g + twice * xx + (T(2) * p1y + T(6) * p2x), mixed, mixed, g + twice * yy + (T(6) * p1y + T(2) * p2x);
+    m.by_point(0, 0) = g + twice * xx + (T(2) * p1y + T(6) * p2x);
+    m.by_point(0, 1) = m.by_point(1, 0) = mixed;
+    m.by_point(1, 1) = g + twice * yy + (T(6) * p1y + T(2) * p2x);
   }
   if constexpr (includes(wrt, Wrt::parameters)) {
-    m.by_parameters.template middleCols<2>(2) << two_xy, tx, ty, two_xy;
+    m.by_parameters(0, 2) = m.by_parameters(1, 3) = two_xy;
+    m.by_parameters(1, 2) = ty;
+    m.by_parameters(0, 3) = tx;
   }
   return m;
 }

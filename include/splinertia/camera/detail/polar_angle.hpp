@@ -54,7 +54,7 @@ template <typename Real, std::size_t Terms>
 }
 
 /// atan2(r, z) for r ≥ 0, not both zero: the angle between the z axis and a point at the distance r from it, in [0, π].
-/// Relative error at most 2 eps. Without branches, and so also for SIMD packs; scalars other than float and double use
+/// Relative error at most 2 eps. For SIMD packs it has no branches; scalars other than float and double use
 /// their own atan2.
 template <typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T polar_angle(const T& r, const T& z) {
@@ -66,10 +66,19 @@ template <typename T>
     constexpr Real pi = pi_of<Real>(), tangent = static_cast<Real>(0.414213562373095048801688724209698079L);  // tan π/8
     // atan(r/h) = o + atan(n/d) with |n/d| ≤ tan π/8.
     const T h = magnitude(z);
-    const Mask<T> low = less<T>(r, tangent * h), high = less<T>(h, tangent * r);
-    const T n = select<T>(low, r, select<T>(high, -h, r - h));
-    const T d = select<T>(low, h, select<T>(high, r, r + h));
-    const T o = select<T>(low, T(0), select<T>(high, T(pi / 2), T(pi / 4)));
+    T n, d, o;
+    if constexpr (is_simd_pack<T>) {
+      const Mask<T> low = less<T>(r, tangent * h), high = less<T>(h, tangent * r);
+      n = select<T>(low, r, select<T>(high, -h, r - h));
+      d = select<T>(low, h, select<T>(high, r, r + h));
+      o = select<T>(low, T(0), select<T>(high, T(pi / 2), T(pi / 4)));
+    } else if (r < tangent * h) {
+      n = r, d = h, o = T(0);
+    } else if (h < tangent * r) {
+      n = -h, d = r, o = pi / 2;
+    } else {
+      n = r - h, d = r + h, o = pi / 4;
+    }
     const T q = n / d, x = q * q, y = x * x;
     T even(a[(terms - 1) / 2 * 2]), odd(a[(terms - 2) / 2 * 2 + 1]);
     for (std::size_t m = (terms - 1) / 2; m-- > 0;) even = even * y + T(a[2 * m]);

@@ -62,14 +62,20 @@ class Equidistant {
       // m = h (x, y): the derivative along (x, y) is that of the radius, across it is h.
       const T slope = T(1) + s * (T(3) * k1 + s * (T(5) * k2 + s * (T(7) * k3 + s * (T(9) * k4))));
       const T by_angle = slope / (square + z * z);
-      const T ex = detail::select<T>(near_axis, T(0), x * one_over_r);
-      const T ey = detail::select<T>(near_axis, T(0), y * one_over_r);
+      const T ex = x * one_over_r, ey = y * one_over_r;  // near the axis tiny, and so is `more`
       const T more = by_angle * z - h, across = more * ex * ey;
-      m.by_point << h + more * ex * ex, across, -(by_angle * x), across, h + more * ey * ey, -(by_angle * y);
+      m.by_point(0, 0) = h + more * ex * ex;
+      m.by_point(0, 1) = m.by_point(1, 0) = across;
+      m.by_point(1, 1) = h + more * ey * ey;
+      m.by_point(0, 2) = -(by_angle * x);
+      m.by_point(1, 2) = -(by_angle * y);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      T u = ratio * x * s, v = ratio * y * s;
-      for (int i = 0; i < count; ++i, u = u * s, v = v * s) m.by_parameters.col(i) << u, v;
+      T power = ratio * s;
+      for (int i = 0; i < count; ++i, power = power * s) {
+        m.by_parameters(0, i) = power * x;
+        m.by_parameters(1, i) = power * y;
+      }
     }
     return m;
   }

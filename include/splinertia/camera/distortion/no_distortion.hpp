@@ -23,7 +23,10 @@ struct NoDistortion {
     m.x = x;
     m.y = y;
     m.valid = detail::less<T>(T(0), T(1));
-    if constexpr (includes(wrt, Wrt::point)) m.by_point << T(1), T(0), T(0), T(1);
+    if constexpr (includes(wrt, Wrt::point)) {
+      m.by_point(0, 0) = m.by_point(1, 1) = T(1);
+      m.by_point(0, 1) = m.by_point(1, 0) = T(0);
+    }
     return m;
   }
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort(const Scalar& x, const Scalar& y) const {

@@ -44,7 +44,10 @@ class RadialTangential {
     m.valid = detail::less<T>(s, T(most_square_));
     if constexpr (includes(wrt, Wrt::parameters)) {
       const T xs = x * s, ys = y * s;
-      m.by_parameters.template leftCols<2>() << xs, xs * s, ys, ys * s;
+      m.by_parameters(0, 0) = xs;
+      m.by_parameters(1, 0) = ys;
+      m.by_parameters(0, 1) = xs * s;
+      m.by_parameters(1, 1) = ys * s;
     }
     return m;
   }
