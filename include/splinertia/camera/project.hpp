@@ -32,45 +32,40 @@ template <typename Pack, int Row, typename Scalar>
 
 }  // namespace detail
 
-/// Projects many points, at once as many as a SIMD instruction holds: pixels[i] is the image of points[i] if inside[i];
-/// otherwise the point is outside the domain of the model and pixels[i] is unchanged. Returns the number of points
-/// inside. Throws std::invalid_argument unless the three spans have the same size.
+/// Projects many points, at once as many as a SIMD instruction holds. If inside[i], pixels[i] is the image of points[i].
+/// Otherwise the point is outside the domain of the model, and pixels[i] is zero. Throws std::invalid_argument unless the three spans have the same size.
 template <CameraModel M>
-std::size_t project(const M& model, std::type_identity_t<std::span<const Eigen::Vector3<typename M::Scalar>>> points,
-                    std::type_identity_t<std::span<Eigen::Vector2<typename M::Scalar>>> pixels,
-                    std::type_identity_t<std::span<bool>> inside) {
+void project(const M& model, std::type_identity_t<std::span<const Eigen::Vector3<typename M::Scalar>>> points,
+             std::type_identity_t<std::span<Eigen::Vector2<typename M::Scalar>>> pixels,
+             std::type_identity_t<std::span<bool>> inside) {
   using Scalar = typename M::Scalar;
   if (pixels.size() != points.size() || inside.size() != points.size()) {
     detail::refuse<std::invalid_argument>("project: ", points.size(), " points, ", pixels.size(), " pixels, ",
                                           inside.size(), " flags, expected as many of each");
   }
-  std::size_t count = 0, i = 0;
+  std::size_t i = 0;
   if constexpr (std::same_as<Scalar, float> || std::same_as<Scalar, double>) {
     using Pack = detail::NativeSimdPack<Scalar>;
-    constexpr auto lanes = static_cast<std::size_t>(Pack::size);
+    constexpr auto lanes = static_cast<std::size_t>(Pack::size), width = static_cast<std::size_t>(Pack::width);
     for (; i + lanes <= points.size(); i += lanes) {
       const Eigen::Vector3<Scalar>* p = &points[i];
       Projection<Pack, M::parameter_count, Wrt::nothing> projected;
       const auto valid = model.template project_lanes<Wrt::nothing, Pack>(
           detail::gather<Pack, 0, Scalar>(p), detail::gather<Pack, 1, Scalar>(p), detail::gather<Pack, 2, Scalar>(p),
           projected);
-      for (std::size_t k = 0; k < lanes; ++k) {
-        const int vector = static_cast<int>(k) / Pack::width, lane = static_cast<int>(k) % Pack::width;
-        const bool ok = valid.vector[vector][lane] != 0;
-        inside[i + k] = ok;
-        count += ok ? 1 : 0;
-        if (ok) pixels[i + k] = {projected.pixel.x().vector[vector][lane], projected.pixel.y().vector[vector][lane]};
-      }
+      const Pack u = detail::select<Pack>(valid, projected.pixel.x(), Pack(Scalar(0)));
+      const Pack v = detail::select<Pack>(valid, projected.pixel.y(), Pack(Scalar(0)));
+      [&]<std::size_t... Lane>(std::index_sequence<Lane...>) {
+        ((pixels[i + Lane] = {u.vector[Lane / width][Lane % width], v.vector[Lane / width][Lane % width]}), ...);
+        ((inside[i + Lane] = valid.vector[Lane / width][Lane % width] != 0), ...);
+      }(std::make_index_sequence<lanes>{});
     }
   }
   for (; i < points.size(); ++i) {
     const auto pixel = model.project(points[i]);
     inside[i] = pixel.has_value();
-    if (!pixel) continue;
-    pixels[i] = *pixel;
-    ++count;
+    pixels[i] = pixel.value_or(Eigen::Vector2<Scalar>::Zero());
   }
-  return count;
 }
 
 }  // namespace splinertia
