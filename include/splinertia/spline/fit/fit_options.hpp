@@ -80,7 +80,8 @@ struct FitResiduals {
 }  // namespace detail
 
 /// A span without poses, long compared with the knot interval and with the usual interval of poses. No data determine
-/// the curve inside it.
+/// the curve inside it. Stretches of at most Order poses between such spans belong to it: so few poses do not determine an
+/// acceleration.
 template <typename Time>
 struct FitGap {
   Time start;  ///< time of the last pose before the gap, or start of the curve
@@ -101,7 +102,7 @@ struct Fit {
   /// Indices of the poses that deviate by more than outlier_limit standard deviations. The loss decides how much they
   /// still count, with RobustLoss::cauchy() hardly at all.
   std::vector<std::size_t> outliers{};
-  /// Spans without poses. There the curve takes the path of least acceleration from one side to the other (or what
+  /// Spans with no or hardly any poses. There the curve takes the path of least acceleration from one side to the other (or what
   /// `smoothness` asks for). No measurement supports it: a velocity or acceleration within a gap is not data.
   std::vector<FitGap<typename Curve::Time>> gaps{};
   /// Number of control points that the poses alone do not determine.

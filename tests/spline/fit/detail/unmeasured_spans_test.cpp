@@ -152,3 +152,21 @@ TEST_CASE("What is measured is what is left, one part more than spans") {
     CHECK_THAT(parts[i].end, WithinAbs(expected[i].second, 1e-12));
   }
 }
+
+TEST_CASE("Stretches of at most as many poses as the order belong to the gaps beside them") {
+  const Line curve = flat(0.1, 10);
+  const auto reported = [&](const std::vector<double>& times) {
+    const auto poses = poses_at(times);
+    const auto all = [](std::size_t) { return true; };
+    Ends ends;
+    for (const auto& gap : reported_gaps(curve, poses, all, spans_of(curve, poses, all))) {
+      ends.push_back({gap.start, gap.end});
+    }
+    return ends;
+  };
+  // A pose every 0.01 s. Three, then five between gaps.
+  CHECK(reported(times_without({{2, 3}, {3.02, 4}, {4.04, 6}})) == Ends{{2, 4}, {4.04, 6}});
+  CHECK(reported(times_without({{0.03, 3}, {5, 9.97}})) == Ends{{0, 3}, {5, curve.end()}});
+  CHECK(reported(times_without({{0.04, 3}, {5, 9.96}})) == Ends{{0.04, 3}, {5, 9.96}});
+  CHECK(reported(times_without({})).empty());
+}

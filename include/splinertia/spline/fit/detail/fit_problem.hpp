@@ -48,9 +48,7 @@ class FitProblem {
     std::vector<std::size_t> weak;
     std::set_union(undetermined.begin(), undetermined.end(), thin.begin(), thin.end(), std::back_inserter(weak));
     spans_ = unmeasured_spans(fit_.spline, data_, counts(), weak);
-    for (const auto& span : spans_) {
-      if (span.is_gap) fit_.gaps.push_back({span.start, span.end});
-    }
+    fit_.gaps = reported_gaps(fit_.spline, data_, counts(), spans_);
     extent_ = extent_of(data_);
     std::size_t counted = 0;
     for (std::size_t i = 0; i < data_.size(); ++i) counted += counts()(i) ? 1 : 0;

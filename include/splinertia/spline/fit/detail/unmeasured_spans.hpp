@@ -91,6 +91,37 @@ template <typename Curve>
   return spans;
 }
 
+/// The gaps among the spans. A stretch between two of them, or between one and an end of the curve, that has at most
+/// Order poses belongs to the gap: so few poses do not determine its acceleration.
+template <typename Curve>
+[[nodiscard]] std::vector<FitGap<typename Curve::Time>> reported_gaps(
+    const Curve& curve, const PosesOf<Curve>& poses, const auto& counts,
+    const std::vector<UnmeasuredSpan<typename Curve::Time>>& spans) {
+  const auto few_between = [&](auto from, auto to) {
+    const auto earlier = [](const auto& pose, auto time) { return pose.time < time; };
+    int count = 0;
+    for (auto pose = std::lower_bound(poses.begin(), poses.end(), from, earlier);
+         pose != poses.end() && pose->time <= to && count <= Curve::order; ++pose) {
+      count += counts(static_cast<std::size_t>(pose - poses.begin())) ? 1 : 0;
+    }
+    return count <= Curve::order;
+  };
+  std::vector<FitGap<typename Curve::Time>> gaps;
+  for (const auto& span : spans) {
+    if (!span.is_gap) continue;
+    const auto before = gaps.empty() ? curve.start() : gaps.back().end;
+    if (!few_between(before, span.start)) {
+      gaps.push_back({span.start, span.end});
+    } else if (gaps.empty()) {
+      gaps.push_back({before, span.end});
+    } else {
+      gaps.back().end = span.end;
+    }
+  }
+  if (!gaps.empty() && few_between(gaps.back().end, curve.end())) gaps.back().end = curve.end();
+  return gaps;
+}
+
 /// The parts of the curve between the spans: one more than there are spans. A part with a single pose has length 0.
 template <typename Curve>
 [[nodiscard]] std::vector<MeasuredPart> measured_parts(const Curve& curve,
