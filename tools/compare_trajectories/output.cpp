@@ -60,7 +60,8 @@ void print(const Comparison& c, std::size_t reference_poses, std::size_t estimat
               o.align.c_str(), poses.c_str(), turn.x(), turn.y(), turn.z(), move.x(), move.y(), move.z(),
               c.transform.scale);
   if (c.no_relative.empty()) {
-    std::printf("RPE over %g %s, %s pairs\n\n", o.delta, o.unit.c_str(), o.all_pairs ? "all" : "consecutive");
+    std::printf("RPE over %g %s, %s pairs\n\n", o.delta, o.delta == 1 && o.unit == "frames" ? "frame" : o.unit.c_str(),
+                o.all_pairs ? "all" : "consecutive");
   } else {
     std::printf("no RPE: %s\n\n", c.no_relative.c_str());
   }

@@ -216,7 +216,11 @@ std::optional<Finding> descriptions_finding(const allan::NoiseEstimates<double>&
     std::string text = "a smooth drift, as with temperature";
     if (!noise.step_times.empty()) {
       text = noise.step_times.size() == 1 ? "a step near" : formatted("%zu steps near", noise.step_times.size());
-      for (const double time : noise.step_times) text += formatted(" %.0f s", time);
+      const char* separator = " ";
+      for (const double time : noise.step_times) {
+        text += formatted("%s%.0f s", separator, time);
+        separator = ", ";
+      }
       text += " after the beginning of the analysed part";
     }
     texts.push_back(text);

@@ -168,10 +168,11 @@ std::string sampling_text(const Stream& stream, const allan::SamplingLimits& lim
   }
   if (sampling.gaps == 0) return text + "no samples missing";
   return text + formatted(
-                    "%lld samples missing in %lld gaps, the longest of %.4g s after sample %lld, analysed "
+                    "%lld sample%s missing in %lld gap%s, the longest of %.4g s after sample %lld, analysed "
                     "as if there were none",
-                    static_cast<long long>(sampling.missing), static_cast<long long>(sampling.gaps),
-                    sampling.longest.duration, static_cast<long long>(sampling.longest.index));
+                    static_cast<long long>(sampling.missing), sampling.missing == 1 ? "" : "s",
+                    static_cast<long long>(sampling.gaps), sampling.gaps == 1 ? "" : "s", sampling.longest.duration,
+                    static_cast<long long>(sampling.longest.index));
 }
 
 /// Adds lines on how a stream was read. With two streams, each line begins with the name of its sensor.
