@@ -35,6 +35,7 @@ struct PlanePoint {
 ///   body.parameters(), Body::from(v) as a vector and back; from() throws std::invalid_argument for an empty domain
 ///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction, which direction_scale() has scaled if needed
 ///   body.unmap(mx, my)               the direction, of any length, if (mx, my) is in the image of the domain
+///   body.largest_angle()             the angle from the optical axis at which the domain ends
 ///   body.ray_jacobian(ray, mx, my)   optional: ∂ray/∂m, where inverting ∂m/∂ray loses digits
 template <typename Model, typename BodyType, typename ScalarType>
 class FocalModel {
@@ -66,6 +67,9 @@ class FocalModel {
     of_body.template tail<behind>() = p.template tail<behind>();
     return Model(p[before], p[before + 1], p[before + 2], p[before + 3], Body::from(of_body));
   }
+
+  /// The angle from the optical axis at which the domain ends, rad. Tangential distortion is not considered.
+  [[nodiscard]] Scalar largest_angle() const { return body_.largest_angle(); }
 
   /// The pixel of a point, or nothing outside the domain.
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> project(const Eigen::Vector3<Scalar>& point) const {
@@ -119,9 +123,10 @@ class FocalModel {
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Mask<T> project_lanes(const T& x, const T& y, const T& z,
                                                                       Projection<T, parameter_count, wrt>& p) const {
     const T scale = Body::needs_scale ? direction_scale<T>(x, y, z) : T(1);
-    const Mask<T> valid = project_scaled<wrt, T>(T(x * scale), T(y * scale), T(z * scale), p);
+    const T sx = x * scale, sy = y * scale, sz = z * scale;
+    const Mask<T> valid = project_scaled<wrt, T>(sx, sy, sz, p);
     if constexpr (includes(wrt, Wrt::point) && Body::needs_scale) p.point_jacobian *= scale;
-    return valid;
+    return valid & finite_lanes<T>(Body::needs_scale ? T(sx + sy + sz) : z);
   }
 
  protected:
@@ -146,7 +151,7 @@ class FocalModel {
         return project_extreme(point, p);
       }
     }
-    return project_scaled<wrt, Scalar>(x, y, z, p);
+    return project_scaled<wrt, Scalar>(x, y, z, p) & is_finite(z);
   }
   template <Wrt wrt>
   [[nodiscard]] SPLINERTIA_COLD bool project_extreme(const Eigen::Vector3<Scalar>& point,

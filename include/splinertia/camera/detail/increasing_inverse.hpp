@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <splinertia/detail/cpp20.hpp>
 
@@ -9,34 +10,39 @@ namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve it often enough, is replaced by its middle. It ends where another step would not change x, by
-/// the quadratic convergence of the last two steps.
+/// left, or does not halve often enough, is replaced by one to its middle, or by doubling x where `high` is far away. It
+/// ends where another step would not change x, by the quadratic convergence of the last two steps. The derivatives of a
+/// Jet are one step behind its value, so it takes that step.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   using std::abs;
-  const Scalar rounding = std::numeric_limits<Scalar>::epsilon() / Scalar(4);
+  constexpr auto epsilon = std::numeric_limits<Scalar>::epsilon;
   Scalar x = start;
   Scalar last = high - low;
   bool newton = false;
   for (int i = 0; i < 200; ++i) {
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
-    if (excess == Scalar(0)) return x;
-    (excess > Scalar(0) ? high : low) = x;
+    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;  // has the derivatives of a Jet
+    (excess < Scalar(0) ? low : high) = x;                                               // NaN: f overflows
     Scalar step = excess / slope;
     Scalar next = x - step;
+    const Scalar size = abs(x);
+    if (!(abs(step) > epsilon() / Scalar(2) * size)) return next;
+    if (abs(step) > last / Scalar(2) && !(last > Scalar(8) * epsilon() * size)) return x;  // rounding
     const bool was_newton = newton;
     newton = low < next && next < high && (i < 4 || abs(step) < last / Scalar(2));
     if (!newton) {
-      next = low + (high - low) / Scalar(2);
+      next = Scalar(0) < low && low < high / Scalar(8) ? low + low : low + (high - low) / Scalar(2);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
       step = x - next;
     }
     const Scalar moved = abs(step);
-    const Scalar predicted =
-        was_newton && newton && moved < last ? Scalar(moved * (moved / last) * (moved / last)) : moved;
     x = next;
-    if (!(predicted > rounding * abs(x))) return x;
+    if (std::floating_point<Scalar> && was_newton && newton && moved < last &&
+        !(moved * (moved / last) * (moved / last) > epsilon() / Scalar(4) * size)) {
+      return x;
+    }
     last = moved;
   }
   return x;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// Distortions of the image plane: of a point m of the undistorted image of focal length 1. A distortion D has
 ///   D::count, d.parameters(), D::from(v)   its parameters
+///   d.limit()              the radius |m| at which the domain ends, without tangential terms
 ///   d.distort<wrt>(x, y)                   the distorted point, whether m is in the domain, and derivatives
 ///   d.undistort(x, y)                      the inverse, if the point is in the image of the domain
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <splinertia/camera/camera_model.hpp>
@@ -88,6 +90,7 @@ template <typename Scalar>
     if (trial == most_trials) break;
   }
   if (!here.valid || !(error.norm() <= rounding)) return std::nullopt;
+  if constexpr (!std::floating_point<Scalar>) m -= here.by_point.inverse() * error;  // has the derivatives of a Jet
   return m;
 }
 
@@ -114,28 +117,23 @@ template <typename Scalar>
                                                              radius < limit ? radius : Scalar(limit / Scalar(2)))
                                 : border;
   const Vector first = target * (r / radius);
-  if (tangential == Scalar(0)) return first;
+  // A Jet differentiates by the tangential terms.
+  if (std::floating_point<Scalar> && tangential == Scalar(0)) return first;
   const auto m = undistort_from<Scalar>(distortion, target, first);
-  if (!(limit < (std::numeric_limits<Scalar>::max)())) return m;
-  if (m) {
-    Scalar slope;
-    (void)radial(m->norm(), slope);
-    if (slope > Scalar(24) * tangential * limit) return m;
-  }
-  // The point of the border whose image lies in the direction of the target.
-  Vector outermost = (m ? *m : first).normalized() * border;
-  auto d = distortion.template distort<Wrt::point, Scalar>(outermost.x(), outermost.y());
-  for (int i = 0; i < 3; ++i) {
-    const Vector distorted(d.x, d.y), across(-outermost.y(), outermost.x());
-    const Vector turned =
-        outermost - across * (across.dot(distorted - target) / across.dot(across)) * (border / radius);
-    outermost = turned.normalized() * border;
-    d = distortion.template distort<Wrt::point, Scalar>(outermost.x(), outermost.y());
-  }
-  const bool folded = d.by_point.determinant() < Scalar(0) && Vector(d.x - x, d.y - y).dot(outermost) < Scalar(0);
-  if (!folded) return m;
-  const auto outer = undistort_from<Scalar>(distortion, target, outermost);
-  return outer ? outer : m;
+  if (!m) return m;
+  const Scalar size = m->norm();
+  Scalar slope;
+  (void)radial(size, slope);
+  if (slope > Scalar(24) * tangential * size) return m;  // no fold is near
+  // The image folds where the determinant is zero. The other point with this pixel is about as far beyond the fold.
+  const auto determinant = [&](const Vector& at) {
+    return Scalar(distortion.template distort<Wrt::point, Scalar>(at.x(), at.y()).by_point.determinant());
+  };
+  const Scalar little = square_root(epsilon), here = determinant(*m);
+  const Scalar to_fold = little * here / (here - determinant(*m * (Scalar(1) + little)));
+  if (!(Scalar(0) < to_fold && to_fold < Scalar(1) / Scalar(8))) return m;
+  const auto other = undistort_from<Scalar>(distortion, target, Vector(*m * (Scalar(1) + Scalar(2) * to_fold)));
+  return other && other->norm() > size ? other : m;
 }
 
 }  // namespace splinertia::detail
