@@ -34,6 +34,7 @@ constexpr Kind kinds[] = {
     {"imu_truth", check_imu_truth},
     {"strapdown_truth", check_strapdown_truth},
     {"preint", check_preint},
+    {"rolling_shutter", check_rolling_shutter},
 };
 
 [[nodiscard]] std::string figure(double c) {
