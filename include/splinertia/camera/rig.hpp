@@ -24,7 +24,7 @@ class Rig {
   /// Calls f(camera) for each camera, in order; or f(camera, index) if f takes an index.
   constexpr void for_each(auto&& f) const {
     [&]<std::size_t... Index>(std::index_sequence<Index...>) {
-      const auto call = [&](const auto& camera, std::size_t index) {
+      [[maybe_unused]] const auto call = [&](const auto& camera, std::size_t index) {
         if constexpr (requires { f(camera, index); }) {
           f(camera, index);
         } else {
