@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Projects points and unprojects pixels for compare_opencv.py and compare_colmap.py. Each line of the standard input is
+//   MODEL project   PARAMETERS... X Y Z
+//   MODEL unproject PARAMETERS... U V
+// and gives one line: the pixel; or the ray and the largest singular value of its derivative, 1/pixel; or "nothing".
+#include <Eigen/SVD>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <splinertia/camera/pinhole.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+using namespace splinertia;
+
+namespace {
+
+template <typename Vector>
+Vector read(std::istream& in) {
+  Vector v;
+  for (int i = 0; i < static_cast<int>(v.size()); ++i) {
+    if (std::string word; in >> word) {
+      v[i] = std::stod(word);
+    } else {
+      throw std::runtime_error("expected a number");
+    }
+  }
+  return v;
+}
+
+void print(const auto& numbers) {
+  for (const double number : numbers) std::printf("%.17g ", number);
+}
+
+template <CameraModel Model>
+void answer(const std::string& what, std::istream& in) {
+  const Model model = Model::from_parameters(read<Eigen::Matrix<double, Model::parameter_count, 1>>(in));
+  if (what == "project") {
+    const auto pixel = model.project(read<Eigen::Vector3d>(in));
+    pixel ? print(*pixel) : void(std::printf("nothing"));
+  } else if (what == "unproject") {
+    const auto ray = model.linearize_ray(read<Eigen::Vector2d>(in));
+    if (ray) {
+      print(ray->direction);
+      std::printf("%.3g", ray->pixel_jacobian.jacobiSvd().singularValues()[0]);
+    } else {
+      std::printf("nothing");
+    }
+  } else {
+    throw std::runtime_error(what + ": expected project or unproject");
+  }
+  std::printf("\n");
+}
+
+const std::map<std::string, void (*)(const std::string&, std::istream&)> models{
+    {"pinhole-none", answer<Pinhole<NoDistortion<double>>>},
+    {"pinhole-radtan", answer<Pinhole<RadialTangential<double>>>},
+    {"pinhole-equi", answer<Pinhole<Equidistant<double>>>},
+};
+
+}  // namespace
+
+int main() try {
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream in(line);
+    std::string model, what;
+    in >> model >> what;
+    models.at(model)(what, in);
+  }
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "camera_rows: %s\n", error.what());
+  return 1;
+}
