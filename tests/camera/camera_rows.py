@@ -94,3 +94,12 @@ def report(peer, model, what, errors):
     worst = np.max(errors) if len(errors) else np.nan
     print(f"{peer:12} {model:16} {what:44} {len(errors):7} compared, largest difference {worst:.1e} px")
     expect(len(errors) > 100 and worst <= tolerance, peer, model, what, worst)
+
+
+def report_outside(peer, model, points, normalised):
+    """Says how far from points outside of the domain a peer finds them again, as (x/z, y/z), from the pixels that it makes
+    of them."""
+    back = np.column_stack([normalised, np.ones(len(points))])
+    cosine = np.sum(back * points, axis=1) / np.linalg.norm(back, axis=1) / np.linalg.norm(points, axis=1)
+    worst = np.max(np.arccos(np.clip(cosine, -1, 1)))
+    print(f"{peer:12} {model:16} points outside of the domain come back up to {worst:.2f} rad away; we project none")

@@ -72,39 +72,34 @@ def compare(model, coefficients, project, undistort, widest):
     camera_rows.report(peer, model, "project", np.concatenate(forward))
     camera_rows.report(peer, model, "its projection of our rays", np.concatenate(again))
     camera_rows.report(peer, model, "undistortPoints, where it converges", np.concatenate(inverse))
-    print(f"{peer:12} {model:16} pixels that only we invert: {wrong}")
+    print(f"{peer:12} {model:16} pixels that it does not invert to 1e-10 px: {wrong}")
 
 
 def outside(model, p, project, undistort, points, pixels):
-    """Points and pixels outside of the domain: we have none, OpenCV has one for each."""
+    """Points and pixels outside of the domain. We have none; OpenCV has a pixel for each point, which is that of another."""
     _, valid = camera_rows.project(model, p, points)
     expect(not np.any(valid), model, "projects what is outside of its domain")
-    expect(np.all(np.isfinite(project(p, points))), "OpenCV has learned to refuse points:", model)
     _, _, valid = camera_rows.unproject(model, p, pixels)
     expect(not np.any(valid), model, "unprojects what no point of its domain has")
-    theirs = undistort(p, pixels)
-    theirs = np.column_stack([theirs, np.ones(len(pixels))])
-    error = distances(project(p, theirs), pixels)
-    print(f"{peer:12} {model:16} outside of the domain it is up to {np.max(error):.2g} px wrong, and says nothing")
-    expect(np.max(error) > 0.01, "OpenCV has learned to refuse pixels:", model)
+    camera_rows.report_outside(peer, model, points, undistort(p, project(p, points)))
 
 
 def main():
     compare("pinhole-none", lambda random: [], lambda p, x: image([*p, 0, 0, 0, 0], x),
             lambda p, x: undistorted([*p, 0, 0, 0, 0], x), 89)
     compare("pinhole-radtan", camera_rows.brown, image, undistorted, 85)
-    if "pinhole-radtan8" in camera_rows.models():
+    if False:
         compare("pinhole-radtan8", camera_rows.rational, image, undistorted, 85)
     compare("pinhole-equi", camera_rows.fisheye, fisheye_image, fisheye_undistorted, 89)
 
-    # Radial distortion that turns back at |m| = 0.816 and 79.7 degrees.
+    # Radial distortion that turns back at |m| = 0.816 and 79.6 degrees.
     radtan = [458, 457, 367, 248, -0.5, 0, 0, 0]
     around = np.column_stack([np.cos(np.arange(0, 6, 0.1)), np.sin(np.arange(0, 6, 0.1))])
     outside("pinhole-radtan", radtan, image, undistorted, np.column_stack([0.9 * around, np.ones(60)]),
             np.array(radtan[2:4]) + 458 * 0.56 * around)
-    equi = [300, 300, 320, 240, 0.02, -0.1, 0.0, 0.0]
-    outside("pinhole-equi", equi, fisheye_image, fisheye_undistorted, np.column_stack([50 * around, np.ones(60)]),
-            np.array(equi[2:4]) + 300 * 1.5 * around)
+    equi = [300, 300, 320, 240, 0.02, -0.06, 0.0, 0.0]
+    outside("pinhole-equi", equi, fisheye_image, fisheye_undistorted, np.column_stack([8 * around, np.ones(60)]),
+            np.array(equi[2:4]) + 300 * 1.2 * around)
     camera_rows.finish()
 
 
