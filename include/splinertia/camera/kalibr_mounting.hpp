@@ -28,6 +28,14 @@ template <typename Scalar = double>
   return {Eigen::Quaterniond(R).normalized().template cast<Scalar>(), T.topRightCorner<3, 1>().template cast<Scalar>()};
 }
 
+/// The inverse of the matrix of a pose. The numbers of the rotation stay as they are.
+[[nodiscard]] inline Eigen::Matrix4d inverse_of_pose(const Eigen::Matrix4d& T) {
+  Eigen::Matrix4d inverse = Eigen::Matrix4d::Identity();
+  inverse.topLeftCorner<3, 3>() = T.topLeftCorner<3, 3>().transpose();
+  inverse.topRightCorner<3, 1>() = -(inverse.topLeftCorner<3, 3>() * T.topRightCorner<3, 1>());
+  return inverse;
+}
+
 /// T_BC, the pose of the camera on the IMU: the inverse of T_cam_imu. Throws std::invalid_argument if the entry has
 /// none, and as pose_of_matrix() does.
 template <typename Scalar = double>
