@@ -11,6 +11,7 @@
 #include <concepts>
 #include <optional>
 #include <splinertia/detail/cpp20.hpp>
+#include <string_view>
 
 namespace splinertia {
 
@@ -59,12 +60,15 @@ struct Ray {
   Eigen::Matrix<Scalar, 3, 2> pixel_jacobian;
 };
 
-/// A camera model M. `parameters()` are in the order of docs/cameras.md; `M::from_parameters` is its inverse.
+/// A camera model M. `M::name` is Kalibr's, "model-distortion", where it has one: pinhole-none, pinhole-radtan,
+/// pinhole-radtan8, pinhole-equi, omni-none, omni-radtan, ds-none, eucm-none, fov, equirectangular.
+/// `parameters()` are in the order of docs/cameras.md; `M::from_parameters` is its inverse.
 /// project(), linearize() and unproject() return nothing for what is outside the domain, and for NaN and infinity.
 template <typename M>
 concept CameraModel = requires(const M& model, const Eigen::Vector3<typename M::Scalar>& point,
                                const Eigen::Vector2<typename M::Scalar>& pixel) {
   typename M::Scalar;
+  { M::name } -> std::convertible_to<std::string_view>;
   { M::parameter_count } -> std::convertible_to<int>;
   { model.parameters() } -> std::convertible_to<Eigen::Matrix<typename M::Scalar, M::parameter_count, 1>>;
   { M::from_parameters(model.parameters()) } -> std::same_as<M>;

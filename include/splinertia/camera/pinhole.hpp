@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <optional>
 #include <splinertia/camera/detail/focal_model.hpp>
+#include <splinertia/camera/detail/model_name.hpp>
 #include <splinertia/camera/detail/plane_distortion.hpp>
 #include <splinertia/camera/distortion/equidistant.hpp>
 #include <splinertia/camera/distortion/no_distortion.hpp>
 #include <splinertia/camera/distortion/radial_tangential.hpp>
+#include <splinertia/camera/distortion/rational.hpp>
 
 namespace splinertia {
 
@@ -22,6 +26,11 @@ struct PerspectiveBody {
 
   [[nodiscard]] Eigen::Matrix<Scalar, count, 1> parameters() const { return distortion.parameters(); }
   [[nodiscard]] static PerspectiveBody from(const Eigen::Matrix<Scalar, count, 1>& p) { return {Distortion::from(p)}; }
+
+  [[nodiscard]] Scalar largest_angle() const {
+    using std::atan;
+    return atan(distortion.limit());
+  }
 
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline PlanePoint<T, count, wrt> map(const T& x, const T& y,
@@ -71,6 +80,7 @@ class Pinhole : public detail::FocalModel<Pinhole<Distortion>, typename detail::
 
  public:
   using Scalar = typename Distortion::Scalar;
+  static constexpr const char* name = detail::model_name<"pinhole-", Distortion>.data();
 
   /// Throws std::invalid_argument unless all numbers are finite and fx and fy positive.
   Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const Distortion& distortion)

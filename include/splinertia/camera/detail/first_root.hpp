@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <splinertia/detail/cpp20.hpp>
+#include <splinertia/detail/select.hpp>
 
 namespace splinertia::detail {
 
@@ -17,12 +18,18 @@ template <typename Scalar, std::size_t Size>
   return sum;
 }
 
-/// The root of a continuous f that has another sign at `low` than at `high`, by bisection to neighbouring numbers.
+/// The root of a continuous f that has another sign at `low` ≥ 0 than at `high`, by bisection to neighbouring numbers,
+/// of the exponent first.
 template <typename Scalar>
 [[nodiscard]] Scalar bisect(const auto& f, Scalar low, Scalar high) {
   const bool positive = f(low) > Scalar(0);
   for (;;) {
-    const Scalar middle = low + (high - low) / Scalar(2);
+    Scalar middle = low + (high - low) / Scalar(2);
+    if (high > Scalar(1) && low < Scalar(1)) {
+      middle = Scalar(1);
+    } else if (low > Scalar(0) && high / Scalar(4) > low) {
+      middle = square_root<Scalar>(low) * square_root<Scalar>(high);
+    }
     if (!(low < middle && middle < high)) return middle;
     (((f(middle) > Scalar(0)) == positive) ? low : high) = middle;
   }

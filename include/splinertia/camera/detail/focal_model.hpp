@@ -33,6 +33,7 @@ struct PlanePoint {
 ///   body.parameters(), Body::from(v) as a vector and back; from() throws std::invalid_argument for an empty domain
 ///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction that direction_scale() has scaled
 ///   body.unmap(mx, my)               the direction, of any length, if (mx, my) is in the image of the domain
+///   body.largest_angle()             the angle from the optical axis at which the domain ends
 ///   body.ray_jacobian(ray, mx, my)   optional: ∂ray/∂m, where inverting ∂m/∂ray loses digits
 template <typename Model, typename BodyType, typename ScalarType>
 class FocalModel {
@@ -64,6 +65,9 @@ class FocalModel {
     of_body.template tail<behind>() = p.template tail<behind>();
     return Model(p[before], p[before + 1], p[before + 2], p[before + 3], Body::from(of_body));
   }
+
+  /// The angle from the optical axis at which the domain ends, rad. Tangential distortion is not considered.
+  [[nodiscard]] Scalar largest_angle() const { return body_.largest_angle(); }
 
   /// The pixel of a point, or nothing outside the domain.
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> project(const Eigen::Vector3<Scalar>& point) const {
@@ -119,11 +123,12 @@ class FocalModel {
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Projection<T, parameter_count, wrt> project_lanes(
       const T& x, const T& y, const T& z, Mask<T>& valid) const {
     const T scale = direction_scale<T>(x, y, z);
-    const auto m = body_.template map<wrt, T>(T(x * scale), T(y * scale), T(z * scale));
+    const T sx = x * scale, sy = y * scale, sz = z * scale;
+    const auto m = body_.template map<wrt, T>(sx, sy, sz);
     const T fx(fx_), fy(fy_);
     Projection<T, parameter_count, wrt> p;
     p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
-    valid = m.valid & finite_lanes<T>(p.pixel.x()) & finite_lanes<T>(p.pixel.y());
+    valid = m.valid & finite_lanes<T>(sx + sy + sz) & finite_lanes<T>(p.pixel.x()) & finite_lanes<T>(p.pixel.y());
     if constexpr (includes(wrt, Wrt::point)) {
       p.point_jacobian.row(0) = m.by_point.row(0) * (fx * scale);
       p.point_jacobian.row(1) = m.by_point.row(1) * (fy * scale);

@@ -20,8 +20,8 @@ template <typename Scalar>
   for (int i = 0; i < 200; ++i) {
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
-    if (excess == Scalar(0)) return x;
-    (excess > Scalar(0) ? high : low) = x;
+    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;  // has the derivatives of a Jet
+    (excess < Scalar(0) ? low : high) = x;                                               // NaN: f overflows
     Scalar next = x - excess / slope;
     const Scalar size = x > Scalar(0) ? x : Scalar(-x), step = next > x ? next - x : x - next;
     if (!(step > epsilon() / Scalar(2) * size)) return next;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /// Distortions of the image plane: of a point m of the undistorted image of focal length 1. A distortion D has
 ///   D::count, d.parameters(), D::from(v)   its parameters
+///   d.limit()              the radius |m| at which the domain ends, without tangential terms
 ///   d.distort<wrt>(x, y)                   the distorted point, whether m is in the domain, and derivatives
 ///   d.undistort(x, y)                      the inverse, if the point is in the image of the domain
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <splinertia/camera/camera_model.hpp>
@@ -84,6 +86,7 @@ template <typename Scalar>
     if (trial == most_trials) break;
   }
   if (!here.valid || !(error.norm() <= rounding)) return std::nullopt;
+  if constexpr (!std::floating_point<Scalar>) m -= here.by_point.inverse() * error;  // has the derivatives of a Jet
   return m;
 }
 
@@ -109,7 +112,7 @@ template <typename Scalar>
                                                              radius < limit ? radius : Scalar(limit / Scalar(2)))
                                 : border;
   const Vector first = target * (r / radius);
-  if (!tangential) return first;
+  if (std::floating_point<Scalar> && !tangential) return first;  // a Jet differentiates by the tangential terms
   const auto m = undistort_from<Scalar>(distortion, target, first);
   if (!(limit < (std::numeric_limits<Scalar>::max)())) return m;
   // The point of the border whose image lies in the direction of the target.

@@ -10,6 +10,7 @@
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/increasing_inverse.hpp>
 #include <splinertia/camera/detail/polar_angle.hpp>
+#include <splinertia/camera/detail/symmetric_ray.hpp>
 #include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
 
@@ -40,16 +41,17 @@ class Equidistant {
   [[nodiscard]] static Equidistant from(const Eigen::Vector4<Scalar>& k) { return {k[0], k[1], k[2], k[3]}; }
 
   /// The angle from the optical axis at which the domain ends, rad.
-  [[nodiscard]] const Scalar& limit() const { return limit_; }
+  [[nodiscard]] const Scalar& largest_angle() const { return limit_; }
 
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline detail::PlanePoint<T, count, wrt> map(const T& x, const T& y,
                                                                                       const T& z) const {
-    const T square = x * x + y * y, r = detail::square_root<T>(square), theta = detail::polar_angle<T>(r, z);
+    const T square = x * x + y * y;
     // So close to the axis, θ/r is 1/z to rounding, and r² may underflow.
-    const T epsilon(std::numeric_limits<Scalar>::epsilon());
-    const detail::Mask<T> near_axis = detail::less<T>(r, epsilon * z);
-    const T one_over_r = T(1) / detail::select<T>(near_axis, z, r);
+    const T reach = T(std::numeric_limits<Scalar>::epsilon()) * z;
+    const detail::Mask<T> near_axis = detail::less<T>(square, reach * reach) & detail::less<T>(T(0), z);
+    const T r = detail::square_root<T>(detail::select<T>(near_axis, z * z, square)), one_over_r = T(1) / r;
+    const T theta = detail::select<T>(near_axis, T(0), detail::polar_angle<T>(r, z));
     const T ratio = detail::select<T>(near_axis, one_over_r, theta * one_over_r);
     const T s = theta * theta, k1(k_[0]), k2(k_[1]), k3(k_[2]), k4(k_[3]);
     const T h = ratio * (T(1) + s * (k1 + s * (k2 + s * (k3 + s * k4))));
@@ -86,25 +88,14 @@ class Equidistant {
     return Eigen::Vector3<Scalar>(share * x, share * y, cos(theta));
   }
 
-  /// Along m the angle changes by 1/(dr/dθ), across it the ray turns about the axis. Close to the axis behind the camera
-  /// these two differ so much that their sum no longer holds both.
   [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
                                                          const Scalar& y) const {
-    const Scalar square = x * x + y * y;
-    Eigen::Matrix<Scalar, 3, 2> J = Eigen::Matrix<Scalar, 3, 2>::Identity();
-    if (square < detail::smallest_square<Scalar>()) {
-      J.row(2) << -x, -y;
-      return J;
-    }
-    const Scalar r = detail::square_root(square), ex = x / r, ey = y / r;
-    const Scalar sine = detail::square_root(Scalar(ray.x() * ray.x() + ray.y() * ray.y()));
-    Scalar slope;
-    (void)radius(detail::polar_angle<Scalar>(sine, ray.z()), slope);
-    const Scalar across = sine / r, along = ray.z() / slope, forward = -sine / slope;
-    J << across * ey * ey + along * ex * ex, (along - across) * ex * ey,  //
-        (along - across) * ex * ey, across * ex * ex + along * ey * ey,   //
-        forward * ex, forward * ey;
-    return J;
+    return detail::symmetric_ray_jacobian<Scalar>(ray, x, y, Scalar(1), [&](const Scalar&) {
+      const Scalar sine = detail::plane_norm<Scalar>(ray.x(), ray.y());
+      Scalar slope;
+      (void)radius(sine > Scalar(0) ? detail::polar_angle<Scalar>(sine, ray.z()) : Scalar(0), slope);
+      return Scalar(Scalar(1) / slope);
+    });
   }
 
  private:

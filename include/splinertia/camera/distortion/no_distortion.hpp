@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <splinertia/camera/detail/plane_distortion.hpp>
 
@@ -16,6 +17,9 @@ struct NoDistortion {
 
   [[nodiscard]] Eigen::Matrix<Scalar, 0, 1> parameters() const { return {}; }
   [[nodiscard]] static NoDistortion from(const Eigen::Matrix<Scalar, 0, 1>&) { return {}; }
+
+  /// The radius |m| at which the domain ends: nowhere.
+  [[nodiscard]] Scalar limit() const { return (std::numeric_limits<Scalar>::max)(); }
 
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline detail::Distorted<T, count, wrt> distort(const T& x, const T& y) const {

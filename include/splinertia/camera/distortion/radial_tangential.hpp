@@ -26,7 +26,7 @@ class RadialTangential {
     const std::array<Scalar, 3> slope{Scalar(1), Scalar(3) * k1, Scalar(5) * k2};
     const auto root = detail::first_root(slope, (std::numeric_limits<Scalar>::max)());
     most_square_ = root ? *root : (std::numeric_limits<Scalar>::max)();
-    limit_ = detail::square_root(most_square_);
+    limit_ = root ? detail::square_root(most_square_) : most_square_;
     Scalar unused;
     end_ = root ? radial(limit_, unused) : (std::numeric_limits<Scalar>::max)();
   }

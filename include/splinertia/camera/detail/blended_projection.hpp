@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// The projection m = p / (α sqrt(β |p|² + z²) + (1 − α) z) of a point (p, z), a blend of the orthographic (α = 1) and
+/// the perspective (α = 0) image. It is one-to-one where z > −w sqrt(β |p|² + z²).
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+#include <splinertia/camera/detail/direction_scale.hpp>
+#include <splinertia/detail/finite.hpp>
+#include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/require.hpp>
+#include <splinertia/detail/select.hpp>
+
+namespace splinertia::detail {
+
+template <typename Scalar>
+void require_blend(const char* whose, const Scalar& alpha) {
+  require(is_finite(alpha) && alpha >= Scalar(0) && alpha <= Scalar(1), whose, "alpha", alpha, "a number in [0, 1]");
+}
+
+/// w. Up to α = 1/2 the domain ends where the denominator is zero, beyond that where |m| is largest.
+template <typename Scalar>
+[[nodiscard]] Scalar blend_border(const Scalar& alpha) {
+  return alpha > Scalar(0.5) ? (Scalar(1) - alpha) / alpha : alpha / (Scalar(1) - alpha);
+}
+
+/// length − z for length = sqrt(square + z²), without cancellation.
+template <typename T>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T difference_of_length(const T& square, const T& z, const T& length) {
+  const Mask<T> forward = less<T>(T(0), z);
+  const T sum = length + select<T>(forward, z, -z);
+  return select<T>(forward, square / sum, sum);
+}
+
+/// A direction whose projection is (x, y), of any length that can be squared. Nothing outside the image.
+template <typename Scalar>
+[[nodiscard]] std::optional<Eigen::Vector3<Scalar>> unblend(const Scalar& x, const Scalar& y, const Scalar& alpha,
+                                                            const Scalar& beta) {
+  const Scalar one = direction_scale<Scalar>(x, y, Scalar(1)), a = x * one, b = y * one;
+  const Scalar square = beta * (a * a + b * b), rest = Scalar(1) - alpha;
+  const Scalar inside = one * one - (alpha - rest) * square;
+  if (!(inside > Scalar(0))) return std::nullopt;
+  const Scalar length = alpha * square_root(inside) + rest * one, depth = one * one - alpha * alpha * square;
+  const Eigen::Vector3<Scalar> ray(a * length, b * length, depth);
+  return ray * direction_scale<Scalar>(ray.x(), ray.y(), ray.z());
+}
+
+/// The angle between the z axis and (√β p, z) at which the domain ends.
+template <typename Scalar>
+[[nodiscard]] Scalar blend_angle(const Scalar& alpha) {
+  using std::acos;
+  return acos(-blend_border(alpha));
+}
+
+}  // namespace splinertia::detail
