@@ -7,7 +7,11 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <splinertia/camera/double_sphere.hpp>
+#include <splinertia/camera/extended_unified.hpp>
+#include <splinertia/camera/field_of_view.hpp>
 #include <splinertia/camera/pinhole.hpp>
+#include <splinertia/camera/unified.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -38,7 +42,11 @@ void answer(const std::string& what, std::istream& in) {
   const Model model = Model::from_parameters(read<Eigen::Matrix<double, Model::parameter_count, 1>>(in));
   if (what == "project") {
     const auto pixel = model.project(read<Eigen::Vector3d>(in));
-    pixel ? print(*pixel) : void(std::printf("nothing"));
+    if (pixel) {
+      print(*pixel);
+    } else {
+      std::printf("nothing");
+    }
   } else if (what == "unproject") {
     const auto ray = model.linearize_ray(read<Eigen::Vector2d>(in));
     if (ray) {
@@ -53,11 +61,17 @@ void answer(const std::string& what, std::istream& in) {
   std::printf("\n");
 }
 
-const std::map<std::string, void (*)(const std::string&, std::istream&)> models{
-    {"pinhole-none", answer<Pinhole<NoDistortion<double>>>},
-    {"pinhole-radtan", answer<Pinhole<RadialTangential<double>>>},
-    {"pinhole-equi", answer<Pinhole<Equidistant<double>>>},
-};
+using Answer = void (*)(const std::string&, std::istream&);
+
+template <CameraModel... Models>
+std::map<std::string, Answer> by_name() {
+  return {{Models::name, answer<Models>}...};
+}
+
+const std::map<std::string, Answer> models =
+    by_name<Pinhole<NoDistortion<double>>, Pinhole<RadialTangential<double>>, Pinhole<Rational<double>>,
+            Pinhole<Equidistant<double>>, FieldOfView<double>, Unified<RadialTangential<double>>, DoubleSphere<double>,
+            ExtendedUnified<double>>();
 
 }  // namespace
 

@@ -36,13 +36,13 @@ def rows(model, task, parameters, values, width):
     return np.array([[np.nan] * width if line == "nothing" else line.split() for line in lines], dtype=float)
 
 
-def project(model, parameters, points):
+def project_points(model, parameters, points):
     """The pixels of points, and which of them are in the domain."""
     pixels = rows(model, "project", parameters, points, 2)
     return pixels, ~np.isnan(pixels[:, 0])
 
 
-def unproject(model, parameters, pixels):
+def unproject_pixels(model, parameters, pixels):
     """The rays of pixels, the angle of a pixel there in radians, and which pixels have a ray."""
     both = rows(model, "unproject", parameters, pixels, 4)
     return both[:, :3], both[:, 3], ~np.isnan(both[:, 0])
@@ -82,11 +82,31 @@ def some_pixels(random, count=2000):
 
 def near(pixels):
     """Whether pixels are so close to the image that doubles can agree to the tolerance."""
-    return np.all(np.abs(pixels) < 1e5, axis=1)
+    return np.all(np.abs(pixels) < 1e4, axis=1)
 
 
 def distances(a, b):
     return np.linalg.norm(np.asarray(a) - np.asarray(b), axis=1)
+
+
+def compare_shifted(peer, model, parameters, project):
+    """A model that has no peer as a whole: its points are moved by xi |p| along the optical axis and then projected by
+    another model, project(p, points), that has one. parameters(random) gives its parameters and xi."""
+    random = np.random.default_rng(5)
+    forward, again = [], []
+    for _ in range(15):
+        p, xi = parameters(random)
+        move = lambda x: x + xi * np.linalg.norm(x, axis=1)[:, None] * np.array([0, 0, 1])
+        x = points(random, 150)
+        pixels, valid = project_points(model, p, x)
+        valid &= near(pixels) & (move(x)[:, 2] > 0.01 * np.linalg.norm(x, axis=1))
+        forward.append(distances(project(p, move(x)), pixels)[valid])
+        pixels = some_pixels(random)
+        rays, _, valid = unproject_pixels(model, p, pixels)
+        valid &= move(rays)[:, 2] > 0.01
+        again.append(distances(project(p, move(rays[valid])), pixels[valid]))
+    report(peer, model, "project", np.concatenate(forward))
+    report(peer, model, "its projection of our rays", np.concatenate(again))
 
 
 def report(peer, model, what, errors):

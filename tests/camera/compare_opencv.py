@@ -47,22 +47,22 @@ def compare(model, coefficients, project, undistort, widest):
     random = np.random.default_rng(7)
     forward, again, inverse = [], [], []
     wrong = 0
-    for _ in range(25):
+    for _ in range(15):
         p = camera_rows.focal(random) + list(coefficients(random))
         points = camera_rows.points(random, widest)
-        pixels, valid = camera_rows.project(model, p, points)
+        pixels, valid = camera_rows.project_points(model, p, points)
         valid &= camera_rows.near(pixels)
         forward.append(distances(project(p, points), pixels)[valid])
 
         pixels = camera_rows.some_pixels(random)
-        rays, angle, valid = camera_rows.unproject(model, p, pixels)
+        rays, angle, valid = camera_rows.unproject_pixels(model, p, pixels)
         front = valid & (rays[:, 2] > 0.01)  # OpenCV cannot project what is behind the camera
         again.append(distances(project(p, rays[front]), pixels[front]))
 
         # OpenCV's inverse where it has converged to a point of the domain
         theirs = np.column_stack([undistort(p, pixels), np.ones(len(pixels))])
         converged = distances(project(p, theirs), pixels) < 1e-10
-        _, inside = camera_rows.project(model, p, theirs)
+        _, inside = camera_rows.project_points(model, p, theirs)
         both = converged & inside
         expect(np.all(valid[both]), model, "has no ray where OpenCV has one", p, pixels[both & ~valid])
         theirs /= np.linalg.norm(theirs, axis=1)[:, None]
@@ -77,9 +77,9 @@ def compare(model, coefficients, project, undistort, widest):
 
 def outside(model, p, project, undistort, points, pixels):
     """Points and pixels outside of the domain. We have none; OpenCV has a pixel for each point, which is that of another."""
-    _, valid = camera_rows.project(model, p, points)
+    _, valid = camera_rows.project_points(model, p, points)
     expect(not np.any(valid), model, "projects what is outside of its domain")
-    _, _, valid = camera_rows.unproject(model, p, pixels)
+    _, _, valid = camera_rows.unproject_pixels(model, p, pixels)
     expect(not np.any(valid), model, "unprojects what no point of its domain has")
     camera_rows.report_outside(peer, model, points, undistort(p, project(p, points)))
 
@@ -88,9 +88,14 @@ def main():
     compare("pinhole-none", lambda random: [], lambda p, x: image([*p, 0, 0, 0, 0], x),
             lambda p, x: undistorted([*p, 0, 0, 0, 0], x), 89)
     compare("pinhole-radtan", camera_rows.brown, image, undistorted, 85)
-    if False:
-        compare("pinhole-radtan8", camera_rows.rational, image, undistorted, 85)
+    compare("pinhole-radtan8", camera_rows.rational, image, undistorted, 85)
     compare("pinhole-equi", camera_rows.fisheye, fisheye_image, fisheye_undistorted, 89)
+
+    def omni(random):
+        xi = random.uniform(0, 1.5)
+        return [xi, *camera_rows.focal(random), *camera_rows.brown(random)], xi
+
+    camera_rows.compare_shifted(peer, "omni-radtan", omni, lambda p, x: image(p[1:], x))
 
     # Radial distortion that turns back at |m| = 0.816 and 79.6 degrees.
     radtan = [458, 457, 367, 248, -0.5, 0, 0, 0]

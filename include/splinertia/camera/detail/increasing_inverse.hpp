@@ -25,7 +25,9 @@ template <typename Scalar>
     Scalar next = x - excess / slope;
     const Scalar size = x > Scalar(0) ? x : Scalar(-x), step = next > x ? next - x : x - next;
     if (!(step > epsilon() / Scalar(2) * size)) return next;
-    if (step > last_step / Scalar(2) && !(last_step > Scalar(8) * epsilon() * size)) return x;  // rounding
+    if (step > last_step / Scalar(2) && !(last_step > Scalar(8) * epsilon() * size)) {  // rounding
+      return low < next && next < high ? next : x;
+    }
     if (!(low < next && next < high) || (i > 3 && step > last_step / Scalar(2))) {
       next = Scalar(0) < low && low < high / Scalar(8) ? low + low : low + (high - low) / Scalar(2);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
