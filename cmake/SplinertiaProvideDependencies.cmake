@@ -223,15 +223,17 @@ function(splinertia_provide package prefix)
   message(STATUS "${package} could not be fetched (--log-level=VERBOSE says why)")
 endfunction()
 
-# Python packages that tests use: module to import | requirement of pip.
+# Python packages that tests use, and those that tests of cameras use: module to import | requirement of pip.
 set(splinertia_python_packages
   "rosbags|rosbags==0.11.*" "numpy|numpy<3" "matplotlib|matplotlib==3.*" "evo|evo==1.38.*" "allantools|allantools==2024.6")
+set(splinertia_python_camera_packages "numpy|numpy<3" "cv2|opencv-python-headless>=4.8,<6" "pycolmap|pycolmap>=3.11,<5")
 
-# splinertia_provide_python(<folder> <python>): sets <folder> to one for PYTHONPATH, with programs in its bin/, that holds
-# the packages which <python> lacks, fetched once by pip; to nothing where none is lacking or pip is out of reach.
+# splinertia_provide_python(<folder> <python> <packages>...): sets <folder> to one for PYTHONPATH, with programs in its
+# bin/, that holds those packages which <python> lacks, fetched once by pip; to nothing where none is lacking or pip is
+# out of reach.
 function(splinertia_provide_python folder python)
   set(${folder} "" PARENT_SCOPE)
-  set(modules ${splinertia_python_packages})
+  set(modules ${ARGN})
   list(TRANSFORM modules REPLACE "[|].*" "")
   execute_process(COMMAND "${python}" -c "import sys, importlib.util as u
 print(*sys.version_info[:2], sep='.')
@@ -247,7 +249,7 @@ print(*[m for m in sys.argv[1:] if u.find_spec(m) is None], sep=';', end='')" ${
     return()
   endif()
   list(JOIN missing "|" pattern)
-  set(requirements ${splinertia_python_packages})
+  set(requirements ${ARGN})
   list(FILTER requirements INCLUDE REGEX "^(${pattern})[|]")
   list(TRANSFORM requirements REPLACE ".*[|]" "")
   string(MD5 hash "${requirements}")

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <splinertia/camera/detail/increasing_inverse.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "support/catch.hpp"
+
+using splinertia::detail::increasing_inverse;
+
+namespace {
+
+/// The radius that a common lens makes of r. It increases everywhere, so the interval has no end to speak of.
+template <typename Scalar>
+Scalar lens(const Scalar& r, Scalar& slope) {
+  const Scalar k1 = static_cast<Scalar>(-0.285L), k2 = static_cast<Scalar>(0.123L), s = r * r;
+  slope = Scalar(1) + s * (Scalar(3) * k1 + s * Scalar(5) * k2);
+  return r * (Scalar(1) + s * (k1 + s * k2));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("The inverse is right to rounding, however long the interval is", "", float, double, long double) {
+  using Scalar = TestType;
+  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  for (const Scalar high : {Scalar(10), std::sqrt((std::numeric_limits<Scalar>::max)())}) {
+    for (int i = 1; i < 20000; ++i) {
+      Scalar slope;
+      const Scalar r = Scalar(i) / Scalar(10007), y = lens(r, slope);
+      Scalar x = increasing_inverse<Scalar>(lens<Scalar>, y, Scalar(0), high, y);
+      if (!(std::abs(x - r) <= 8 * epsilon * (r + y / slope))) FAIL(r << " " << x);
+      x = increasing_inverse<Scalar>(lens<Scalar>, y, Scalar(0), high, Scalar(3));  // from elsewhere
+      if (!(std::abs(x - r) <= 8 * epsilon * (r + y / slope))) FAIL(r << " " << x << " from 3");
+    }
+  }
+}
+
+TEST_CASE("Where the slope is zero at an end, the inverse is still found") {
+  int evaluations = 0;
+  const auto f = [&](double x, double& slope) {
+    ++evaluations;
+    slope = 1 - x * x;
+    return x - x * x * x / 3;
+  };
+  for (const double y : {0.0, 0.1, 0.6, 0.66, 0.6666, 0.66666666, 2.0 / 3.0}) {
+    evaluations = 0;
+    const double x = increasing_inverse<double>(f, y, 0.0, 1.0, y);
+    CAPTURE(y, evaluations);
+    double slope;
+    CHECK(std::abs(f(x, slope) - y) <= 2e-16);
+    CHECK(evaluations < 64);
+  }
+}
