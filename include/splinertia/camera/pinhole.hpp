@@ -41,7 +41,7 @@ struct PerspectiveBody {
     PlanePoint<T, count, wrt> m;
     m.x = d.x;
     m.y = d.y;
-    m.valid = d.valid & less<T>(T(0), z);
+    m.valid = both<T>(less<T>(T(0), z), d.valid);
     if constexpr (includes(wrt, Wrt::point)) {
       const T one_over_z = T(1) / z;
       for (int row = 0; row < 2; ++row) {

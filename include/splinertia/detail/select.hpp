@@ -58,6 +58,16 @@ template <typename T>
   }
 }
 
+/// Where both are true.
+template <typename T>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Mask<T> both(const Mask<T>& a, const Mask<T>& b) {
+  if constexpr (is_simd_pack<T>) {
+    return a & b;
+  } else {
+    return a && b;
+  }
+}
+
 /// a where the mask is true, else b.
 template <typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T select(const Mask<T>& mask, const T& a, const T& b) {

@@ -126,7 +126,7 @@ class FocalModel {
     const T sx = x * scale, sy = y * scale, sz = z * scale;
     const Mask<T> valid = project_scaled<wrt, T>(sx, sy, sz, p);
     if constexpr (includes(wrt, Wrt::point) && Body::needs_scale) p.point_jacobian *= scale;
-    return valid & finite_lanes<T>(Body::needs_scale ? T(sx + sy + sz) : z);
+    return both<T>(valid, finite_lanes<T>(Body::needs_scale ? T(sx + sy + sz) : z));
   }
 
  protected:
@@ -151,7 +151,7 @@ class FocalModel {
         return project_extreme(point, p);
       }
     }
-    return project_scaled<wrt, Scalar>(x, y, z, p) & is_finite(z);
+    return project_scaled<wrt, Scalar>(x, y, z, p) && is_finite(z);
   }
   template <Wrt wrt>
   [[nodiscard]] SPLINERTIA_COLD bool project_extreme(const Eigen::Vector3<Scalar>& point,
@@ -176,7 +176,7 @@ class FocalModel {
       if constexpr (before > 0) scale_rows<0>(m.by_parameters, J, std::make_index_sequence<before>{});
       if constexpr (behind > 0) scale_rows<4, before>(m.by_parameters, J, std::make_index_sequence<behind>{});
     }
-    return m.valid & finite_lanes<T>(p.pixel.x() + p.pixel.y());
+    return both<T>(m.valid, finite_lanes<T>(p.pixel.x() + p.pixel.y()));
   }
 
   // The columns from First on are multiplied by the focal lengths and stored Shift columns further right. Constant
