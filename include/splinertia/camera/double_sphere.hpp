@@ -40,17 +40,25 @@ class DoubleSphereBody {
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
-    m.valid = less<T>(-(T(first_border_) * d), z) & less<T>(-(T(second_border_) * d2), t) & less<T>(T(0), denominator);
+    const Mask<T> first = less<T>(-(T(first_border_) * d), z), second = less<T>(-(T(second_border_) * d2), t);
+    m.valid = both<T>(both<T>(first, second), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       // The denominator's derivatives: b for x and y through d₂, by_t through t.
       const T b = alpha / d2, by_t = b * t + rest, shift = xi / d, c = b + by_t * shift;
       const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y)), by_z = by_t * (T(1) + shift * z);
-      m.by_point << scale - mx * (c * x), across, -(mx * by_z), across, scale - my * (c * y), -(my * by_z);
+      m.by_point(0, 0) = scale - mx * (c * x);
+      m.by_point(0, 1) = across;
+      m.by_point(0, 2) = -(mx * by_z);
+      m.by_point(1, 0) = across;
+      m.by_point(1, 1) = scale - my * (c * y);
+      m.by_point(1, 2) = -(my * by_z);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
       const T by_xi = d * (alpha * (t / d2) + rest), by_alpha = difference_of_length<T>(square, t, d2);
-      m.by_parameters << -(m.x * (by_xi * scale)), -(m.x * (by_alpha * scale)), -(m.y * (by_xi * scale)),
-          -(m.y * (by_alpha * scale));
+      m.by_parameters(0, 0) = -(m.x * (by_xi * scale));
+      m.by_parameters(0, 1) = -(m.x * (by_alpha * scale));
+      m.by_parameters(1, 0) = -(m.y * (by_xi * scale));
+      m.by_parameters(1, 1) = -(m.y * (by_alpha * scale));
     }
     return m;
   }

@@ -101,10 +101,19 @@ class Equirectangular {
       const T square = lx * lx + lz * lz, radius = square_root<T>(square), ex = lx / radius, ez = lz / radius;
       const T by_longitude = T(width_) * turn * level / square;
       const T by_latitude = T(height_) * (turn + turn) * scale / (horizontal * horizontal + sy * sy);
-      p.point_jacobian << lz * by_longitude, T(0), -(lx * by_longitude),  //
-          -(ex * sy * by_latitude), horizontal * by_latitude, -(ez * sy * by_latitude);
+      p.point_jacobian(0, 0) = lz * by_longitude;
+      p.point_jacobian(0, 1) = T(0);
+      p.point_jacobian(0, 2) = -(lx * by_longitude);
+      p.point_jacobian(1, 0) = -(ex * sy * by_latitude);
+      p.point_jacobian(1, 1) = horizontal * by_latitude;
+      p.point_jacobian(1, 2) = -(ez * sy * by_latitude);
     }
-    if constexpr (includes(wrt, Wrt::parameters)) p.parameter_jacobian << across, T(0), T(0), down;
+    if constexpr (includes(wrt, Wrt::parameters)) {
+      p.parameter_jacobian(0, 0) = across;
+      p.parameter_jacobian(0, 1) = T(0);
+      p.parameter_jacobian(1, 0) = T(0);
+      p.parameter_jacobian(1, 1) = down;
+    }
     return valid;
   }
 

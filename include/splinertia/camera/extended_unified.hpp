@@ -44,17 +44,24 @@ class ExtendedUnifiedBody {
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
-    m.valid = less<T>(-(T(border_) * rho), z) & less<T>(T(0), denominator);
+    m.valid = both<T>(less<T>(-(T(border_) * rho), z), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       const T b = alpha / rho, c = b * beta, by_z = b * z + rest;  // derivatives of the denominator: c x, c y, by_z
       const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));
-      m.by_point << scale - mx * (c * x), across, -(mx * by_z), across, scale - my * (c * y), -(my * by_z);
+      m.by_point(0, 0) = scale - mx * (c * x);
+      m.by_point(0, 1) = across;
+      m.by_point(0, 2) = -(mx * by_z);
+      m.by_point(1, 0) = across;
+      m.by_point(1, 1) = scale - my * (c * y);
+      m.by_point(1, 2) = -(my * by_z);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
       const T by_alpha = difference_of_length<T>(beta * square, z, rho);
       const T by_beta = T(Scalar(0.5)) * alpha * square / rho;
-      m.by_parameters << -(m.x * (by_alpha * scale)), -(m.x * (by_beta * scale)), -(m.y * (by_alpha * scale)),
-          -(m.y * (by_beta * scale));
+      m.by_parameters(0, 0) = -(m.x * (by_alpha * scale));
+      m.by_parameters(0, 1) = -(m.x * (by_beta * scale));
+      m.by_parameters(1, 0) = -(m.y * (by_alpha * scale));
+      m.by_parameters(1, 1) = -(m.y * (by_beta * scale));
     }
     return m;
   }

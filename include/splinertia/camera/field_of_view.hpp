@@ -59,7 +59,12 @@ class FieldOfViewBody {
       // The derivative of m along (x, y) is that of the radius, across it is h.
       const T more = by_radius * z - h;
       const T ex = select<T>(near_axis, T(0), x / r), ey = select<T>(near_axis, T(0), y / r), across = more * ex * ey;
-      m.by_point << h + more * ex * ex, across, -(by_radius * x), across, h + more * ey * ey, -(by_radius * y);
+      m.by_point(0, 0) = h + more * ex * ex;
+      m.by_point(0, 1) = across;
+      m.by_point(0, 2) = -(by_radius * x);
+      m.by_point(1, 0) = across;
+      m.by_point(1, 1) = h + more * ey * ey;
+      m.by_point(1, 2) = -(by_radius * y);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
       // ∂h/∂w, h = a/(w r), is (sin 2a / sin w − 2a/w) / (2 w r). For small 2a both terms are close to each other, and
@@ -67,7 +72,8 @@ class FieldOfViewBody {
       const T twice = angle + angle, small = twice * twice, w(w_), one_over_sine(one_over_sine_);
       const T series = w * w * one_over_sine * h * (T(defect_) - T(4) * h * h * square * sine_defect<T>(small));
       const T by_w = select<T>(less<T>(small, T(2)), series, by_radius * z * one_over_sine - h * T(one_over_w_));
-      m.by_parameters << x * by_w, y * by_w;
+      m.by_parameters(0, 0) = x * by_w;
+      m.by_parameters(1, 0) = y * by_w;
     }
     return m;
   }

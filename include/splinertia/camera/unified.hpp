@@ -61,8 +61,12 @@ class UnifiedBody {
       const T shift = xi / d, by_z = T(1) + shift * z;
       const T along_x = D(0, 0) * u + D(0, 1) * v, along_y = D(1, 0) * u + D(1, 1) * v;
       const T cx = shift * x, cy = shift * y;
-      m.by_point << D(0, 0) - along_x * cx, D(0, 1) - along_x * cy, -(along_x * by_z),  //
-          D(1, 0) - along_y * cx, D(1, 1) - along_y * cy, -(along_y * by_z);
+      m.by_point(0, 0) = D(0, 0) - along_x * cx;
+      m.by_point(0, 1) = D(0, 1) - along_x * cy;
+      m.by_point(0, 2) = -(along_x * by_z);
+      m.by_point(1, 0) = D(1, 0) - along_y * cx;
+      m.by_point(1, 1) = D(1, 1) - along_y * cy;
+      m.by_point(1, 2) = -(along_y * by_z);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
       const Eigen::Matrix2<T>& D = distorted.by_point;
