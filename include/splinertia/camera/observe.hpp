@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 #include <splinertia/camera/camera.hpp>
 #include <splinertia/camera/detail/camera_state.hpp>
 #include <splinertia/camera/detail/frame_poses.hpp>
@@ -10,6 +11,7 @@
 #include <splinertia/camera/observation.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace splinertia {
 
