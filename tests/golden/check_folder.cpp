@@ -34,6 +34,8 @@ constexpr Kind kinds[] = {
     {"imu_truth", check_imu_truth},
     {"strapdown_truth", check_strapdown_truth},
     {"preint", check_preint},
+    {"camera_project", check_camera_project},
+    {"camera_unproject", check_camera_unproject},
 };
 
 [[nodiscard]] std::string figure(double c) {
