@@ -67,7 +67,7 @@ def fisheye(random):
     return [*random.uniform(-0.08, 0.08, 2), *random.uniform(-0.02, 0.02, 2)]
 
 
-def points(random, widest, count=2000):
+def points(random, widest, count=1000):
     """Points of all distances, with angles from the optical axis up to `widest`, in degrees."""
     polar = np.radians(widest) * np.sqrt(random.uniform(0, 1, count))
     azimuth, distance = random.uniform(-np.pi, np.pi, count), 10 ** random.uniform(-2, 3, count)
@@ -75,7 +75,7 @@ def points(random, widest, count=2000):
         [np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)])
 
 
-def some_pixels(random, count=2000):
+def some_pixels(random, count=1000):
     """Pixels of the image and of a border around it, half as large again."""
     return random.uniform([-0.25 * size[0], -0.25 * size[1]], [1.25 * size[0], 1.25 * size[1]], (count, 2))
 

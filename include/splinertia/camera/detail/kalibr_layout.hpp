@@ -16,23 +16,30 @@ struct KalibrLayout {
   [[nodiscard]] constexpr int index(int i) const { return i < behind ? intrinsics - behind + i : i - behind; }
 };
 
-/// The number of coefficients of a distortion that a model's name ends in.
-[[nodiscard]] constexpr int distortion_count(std::string_view distortion) {
-  if (distortion == "radtan" || distortion == "equi") return 4;
-  if (distortion == "radtan8") return 8;
-  return distortion == "fov" ? 1 : 0;
-}
+/// A distortion at the end of a model's name, its name in files, and the number of its coefficients.
+struct KalibrDistortion {
+  std::string_view name, in_files;
+  int count;
+};
 
 /// The layout of a model by its name, as pinhole-radtan.
 template <typename Model>
 [[nodiscard]] constexpr KalibrLayout kalibr_layout() {
-  const std::string_view name = std::string_view(Model::name) == "fov" ? "pinhole-fov" : Model::name;
-  const auto dash = name.find('-');
-  const std::string_view camera = name.substr(0, dash);
-  const std::string_view distortion = dash == std::string_view::npos ? "none" : name.substr(dash + 1);
-  const int intrinsics = Model::parameter_count - distortion_count(distortion);
-  const bool own_are_behind = camera == "ds" || camera == "eucm";
-  return {camera, distortion == "equi" ? "equidistant" : distortion, intrinsics, own_are_behind ? intrinsics - 4 : 0};
+  constexpr KalibrDistortion distortions[] = {
+      {"-radtan", "radtan", 4}, {"-radtan8", "radtan8", 8}, {"-equi", "equidistant", 4}, {"fov", "fov", 1}};
+  constexpr std::string_view name = Model::name, projection = name.substr(0, name.find('-'));
+  KalibrDistortion distortion{"-none", "none", 0};
+  for (const KalibrDistortion& d : distortions) {
+    if (name.ends_with(d.name)) distortion = d;
+  }
+  const int intrinsics = Model::parameter_count - distortion.count;
+  for (const std::string_view own_first : {"ds", "eucm"}) {
+    if (projection == own_first) return {own_first, distortion.in_files, intrinsics, intrinsics - 4};
+  }
+  for (const std::string_view known : {"pinhole", "omni"}) {
+    if (projection == known) return {known, distortion.in_files, intrinsics, 0};
+  }
+  return {name == "fov" ? "pinhole" : name, distortion.in_files, intrinsics, 0};
 }
 
 }  // namespace splinertia::detail
