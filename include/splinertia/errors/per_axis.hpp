@@ -95,10 +95,22 @@ constexpr void require_factor(const char* term, const char* parameter, const Per
   for (const Scalar& value : values) require_factor(term, parameter, value);
 }
 
+template <typename Scalar, int N>
+constexpr void require_noise_factor(const char* term, const char* parameter, const PerAxis<Scalar, N>& values) {
+  for (const Scalar& value : values) require_noise_factor(term, parameter, value);
+}
+
 template <typename Scalar, int Rows, int Columns>
 void require_finite(const char* term, const char* parameter, const Eigen::Matrix<Scalar, Rows, Columns>& values) {
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) require_finite(term, parameter, values(row, column));
+  }
+}
+
+template <typename Scalar, int Rows, int Columns>
+void require_factor(const char* term, const char* parameter, const Eigen::Matrix<Scalar, Rows, Columns>& values) {
+  for (int row = 0; row < Rows; ++row) {
+    for (int column = 0; column < Columns; ++column) require_factor(term, parameter, values(row, column));
   }
 }
 

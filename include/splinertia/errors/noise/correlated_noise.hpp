@@ -23,11 +23,11 @@ struct CorrelatedNoise {
   Matrix correlation;
 
   /// The matrix may be computed from a covariance S, S_ij/√(S_ii S_jj); its symmetric part with ones on the diagonal is
-  /// used. Throws std::invalid_argument unless the densities are finite and >= 0, and the matrix has, but for rounding,
-  /// ones on its diagonal, is symmetric and has no negative eigenvalue.
+  /// used. Throws std::invalid_argument unless the densities and their third powers are finite and >= 0, and the matrix has,
+  /// but for rounding, ones on its diagonal, is symmetric and has no negative eigenvalue.
   CorrelatedNoise(const PerAxis<Scalar, N>& density_, const Matrix& correlation_)
       : density(density_), correlation(correlation_) {
-    detail::require_non_negative("CorrelatedNoise", "density", density);
+    detail::require_noise_factor("CorrelatedNoise", "density", density);
     detail::require_finite("CorrelatedNoise", "correlation", correlation);
     correlation = detail::correlation_part("CorrelatedNoise", correlation);
     factor_ = detail::correlation_factor("CorrelatedNoise", correlation);

@@ -17,9 +17,9 @@ struct GSensitivity {
 
   Eigen::Matrix3<Scalar> sensitivity;
 
-  /// Throws std::invalid_argument unless all elements are finite.
+  /// Throws std::invalid_argument unless all elements and their third powers are finite.
   GSensitivity(const Eigen::Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
-    detail::require_finite("GSensitivity", "sensitivity", sensitivity);
+    detail::require_factor("GSensitivity", "sensitivity", sensitivity);
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }

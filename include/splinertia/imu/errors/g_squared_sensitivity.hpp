@@ -26,7 +26,9 @@ struct GSquaredSensitivity {
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const {
-    sample.value += sensitivity.template vector<3>().cwiseProduct(sample.truth.accel.cwiseAbs2());
+    // Not k times f²: no zero is multiplied by an overflow.
+    const Eigen::Vector3<Scalar> slope = sensitivity.template vector<3>().cwiseProduct(sample.truth.accel);
+    sample.value += slope.cwiseProduct(sample.truth.accel);
   }
 
   void describe(auto&& parameter) const { parameter("sensitivity", sensitivity, "rad/s/(m/s^2)^2"); }
