@@ -75,9 +75,11 @@ class SensorErrors {
         clock_(stamps.template start<Stamp<Scalar>::axes, Generator>(sensor / "stamps")) {}
 
   /// The reading of a measurement taken at `time`, `interval` s after the previous one (for the first: the sampling
-  /// interval). It is empty if the sample is dropped. Stamps increase strictly: a stamp that its errors would put before
-  /// next_stamp() of the last one becomes next_stamp(). Requires interval > 0. Throws std::invalid_argument for a stamp
-  /// that is not finite.
+  /// interval). Without clock errors its stamp is `time`, which is not checked. With clock errors stamps increase
+  /// strictly: a stamp that would be before next_stamp() of the last one becomes next_stamp(). With clock errors it is
+  /// empty if the sample is dropped, and throws std::invalid_argument for a stamp that is not finite, std::out_of_range
+  /// for one that an integer Time cannot hold. Requires interval > 0, and of an integer Time that it holds the
+  /// difference to the first time (64 bits of nanoseconds: 292 years).
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE std::optional<Reading> apply(Time time, const Value& truth,
                                                                       const Scalar& interval) {
     const auto now = clock_.sample_at(time, interval);
