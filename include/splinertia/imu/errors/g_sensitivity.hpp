@@ -13,6 +13,7 @@ namespace splinertia {
 template <typename Scalar = double>
 struct GSensitivity {
   static constexpr std::string_view name = "g-sensitivity";
+  static constexpr SensorKind sensor = SensorKind::gyro;
   struct State {};
 
   Eigen::Matrix3<Scalar> sensitivity;

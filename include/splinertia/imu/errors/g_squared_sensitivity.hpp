@@ -16,6 +16,7 @@ namespace splinertia {
 template <typename Scalar = double, int N = 1>
 struct GSquaredSensitivity {
   static constexpr std::string_view name = "g-squared sensitivity";
+  static constexpr SensorKind sensor = SensorKind::gyro;
   struct State {};
 
   PerAxis<Scalar, N> sensitivity;
