@@ -49,7 +49,8 @@ struct CorrelatedNoise {
 };
 
 template <typename P, typename Matrix>
-CorrelatedNoise(const P&, const Matrix&)
-    -> CorrelatedNoise<detail::ScalarOfParameter<Matrix>, static_cast<int>(Matrix::RowsAtCompileTime)>;
+CorrelatedNoise(const P&,
+                const Matrix&) -> CorrelatedNoise<detail::ScalarOfParameter<Matrix>,
+                                                  detail::checked_size<static_cast<int>(Matrix::RowsAtCompileTime)>()>;
 
 }  // namespace splinertia

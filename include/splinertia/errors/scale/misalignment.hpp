@@ -50,6 +50,7 @@ struct Misalignment {
 };
 
 template <typename P>
-Misalignment(const P&) -> Misalignment<detail::ScalarOfParameter<P>, static_cast<int>(P::RowsAtCompileTime)>;
+Misalignment(const P&)
+    -> Misalignment<detail::ScalarOfParameter<P>, detail::checked_size<static_cast<int>(P::RowsAtCompileTime)>()>;
 
 }  // namespace splinertia
