@@ -47,6 +47,7 @@
 #include <splinertia/errors/scale/temperature_scale.hpp>
 #include <splinertia/errors/scale/vibration_rectification.hpp>
 #include <splinertia/errors/sensor_errors.hpp>
+#include <splinertia/errors/sensor_kind.hpp>
 #include <splinertia/evaluation/trajectory_alignment.hpp>
 #include <splinertia/evaluation/trajectory_association.hpp>
 #include <splinertia/evaluation/trajectory_drift.hpp>

@@ -34,7 +34,10 @@ std::vector<Scalar> extremes() {
           Scalar(0.25),
           Scalar(0.7),
           1000,
-          std::numeric_limits<Scalar>::max() / 1024};
+          std::numeric_limits<Scalar>::max(),
+          -std::numeric_limits<Scalar>::max(),
+          largest_factor<Scalar>(),
+          -largest_factor<Scalar>()};
 }
 
 /// Calls use(parameter, parameter, parameter) with all combinations of extremes.
@@ -48,9 +51,9 @@ void for_all_extremes(const auto& use) {
   }
 }
 
-/// What a term makes of some samples must be numbers, at high and low rates.
+/// What a term makes of some samples up to 10 times that size must be numbers, at high and low rates.
 template <typename Scalar, typename Term>
-void check_term(const Term& term, const std::string& parameters) {
+void check_term(const Term& term, const std::string& parameters, Scalar size) {
   for (const double rate : {1e-3, 200.0, 1e9}) {
     const ErrorModel model{term};
     auto state = model.start(StreamKey(1));
@@ -62,7 +65,7 @@ void check_term(const Term& term, const std::string& parameters) {
         model.apply(stamp, state);
         good = !std::isnan(stamp.offset);
       } else {
-        const Eigen::Vector3<Scalar> value(Scalar(0), Scalar(i), Scalar(-9.8));
+        const Eigen::Vector3<Scalar> value(Scalar(0), size * Scalar(i), size * Scalar(-9.8));
         ImuSensorSample<Scalar> sample{
             {value, Eigen::Vector3<Scalar>::Constant(Scalar(0.1)), interval, i == 0, elapsed}, {value, value}};
         model.apply(sample, state);
@@ -72,6 +75,11 @@ void check_term(const Term& term, const std::string& parameters) {
       if (!good) return;
     }
   }
+}
+template <typename Scalar, typename Term>
+void check_term(const Term& term, const std::string& parameters) {
+  check_term<Scalar>(term, parameters, Scalar(1));
+  check_term<Scalar>(term, parameters, Scalar(std::same_as<Scalar, float> ? 1e11 : 1e101));
 }
 
 template <typename Scalar>

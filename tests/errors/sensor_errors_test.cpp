@@ -94,6 +94,20 @@ TEST_CASE("A stamp beyond all numbers is refused") {
   CHECK_THROWS_WITH(errors.apply(0, 0, 0.1), "SensorErrors: stamp is inf, expected a finite number");
 }
 
+TEST_CASE("Without clock errors a stamp is the time, in any order and even if it is no number") {
+  SensorErrors errors(ErrorModel{ConstantBias{1}}, StreamKey(1));
+  for (const double time : {2.0, 1.0, 1.0}) CHECK(errors.apply(time, 5, 0.1)->time == time);
+  const auto reading = errors.apply(std::nan(""), 5, 0.1);
+  CHECK(std::isnan(reading->time));
+  CHECK(reading->value == 6);
+}
+
+TEST_CASE("Nanoseconds of a run may be as far apart as their type can count") {
+  auto ramp = sensor_errors<1, double, nanoseconds>(ErrorModel{RateRamp{1}}, StreamKey(1));
+  CHECK(ramp.apply(nanoseconds::min(), 0, 1)->value == 0);
+  CHECK(ramp.apply(nanoseconds(-1), 0, 1)->value == Approx(9223372036.854775807));
+}
+
 TEST_CASE("Three axes have the errors of the model, and the stamps that an IMU of the same key has") {
   const ErrorModel model{RandomWalk{0.1}, WhiteNoise{0.2}};
   const ErrorModel stamps{StampJitter{1e-3}, DroppedSamples{0.1}};

@@ -91,7 +91,7 @@ void use(Numbers& numbers) {
   if constexpr (std::is_same_v<Scheme, Midpoint> || std::is_same_v<Scheme, Magnus4> ||
                 std::is_same_v<Scheme, TwoSampleIncrements>) {
     std::optional<Preintegrator<Scheme, double, Time, ImuNoise<double>>> preintegrator;
-    const bool finished = accepted("integrate: ", [&] {
+    const bool finished = accepted("preintegrate: ", [&] {
       preintegrator.emplace(initial.time, ImuBias<double>{}, ImuNoise<double>{1e-3, 1e-2, 1e-5, 1e-4}, gaps);
       for (std::size_t i = Scheme::takes_increments ? 1 : 0; i < samples.size(); ++i) preintegrator->push(samples[i]);
       preintegrator->finish();

@@ -3,12 +3,26 @@
 #include <splinertia/errors/bias/constant_bias.hpp>
 #include <splinertia/errors/clock/clock_offset.hpp>
 #include <splinertia/errors/noise/white_noise.hpp>
+#include <splinertia/imu/errors/g_sensitivity.hpp>
+#include <splinertia/imu/errors/size_effect.hpp>
 #include <splinertia/imu/imu.hpp>
 #include <type_traits>
 
 #include "support/catch.hpp"
 
 using namespace splinertia;
+
+namespace {
+
+/// A term with a parameter of that name.
+struct OfASensor {
+  struct State {};
+  int sensor = 1;
+
+  void apply(SensorSample<double>&, State&) const {}
+};
+
+}  // namespace
 
 TEST_CASE("What an IMU has no errors of takes no room") {
   STATIC_CHECK(std::is_empty_v<Imu<>>);
@@ -25,6 +39,18 @@ TEST_CASE("An IMU is put together from two models, or three") {
   static constexpr Imu three{ErrorModel{}, ErrorModel{ConstantBias{1}}, ErrorModel{ClockOffset{0.25}}};
   STATIC_CHECK(std::get<0>(three.accel.terms()).bias[2] == 1);
   STATIC_CHECK(std::get<0>(three.stamps.terms()).offset == 0.25);
+}
+
+TEST_CASE("Terms for one kind of sensor are in its model only, all others in any") {
+  const Imu imu{ErrorModel{GSensitivity{Eigen::Matrix3d::Zero()}, OfASensor{}, WhiteNoise{0.1}},
+                ErrorModel{SizeEffect{Eigen::Matrix3d::Zero()}, OfASensor{}, WhiteNoise{0.1}}};
+  using Gyro = decltype(imu.gyro);
+  using Accel = decltype(imu.accel);
+  STATIC_CHECK(detail::is_for<Gyro, SensorKind::gyro>);
+  STATIC_CHECK(detail::is_for<Accel, SensorKind::accel>);
+  STATIC_CHECK_FALSE(detail::is_for<Gyro, SensorKind::accel>);
+  STATIC_CHECK_FALSE(detail::is_for<Accel, SensorKind::gyro>);
+  STATIC_CHECK(detail::is_for<ErrorModel<>, SensorKind::accel>);
 }
 
 TEST_CASE("Readings are plain values, which tell the true time where it differs") {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "../../tools/support/imu_noise.hpp"
 
+#include <splinertia/errors/noise/correlated_noise.hpp>
+#include <splinertia/errors/noise/random_walk.hpp>
+#include <splinertia/errors/noise/white_noise.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -177,6 +180,24 @@ TEST_CASE("The rate of a file comes before the one that is given") {
   const std::string vins = "acc_n: 0.1\ngyr_n: 0.02\nacc_w: 0.001\ngyr_w: 1.0e-4\n";
   CHECK(read(vins + "update_rate: 400\n", 100).gyro_noise_density == Approx(0.001));
   CHECK(read(kalibr_densities + "update_rate: 400\n", 100).update_rate == 400);
+}
+
+TEST_CASE("The noise of errors is white noise, correlated or not, and random walks, on the noisiest axis") {
+  using namespace splinertia;
+  AnyImu imu;
+  imu.gyro.add(WhiteNoise{PerAxis<double>(3e-3, 1e-3, 1e-3)});
+  imu.gyro.add(CorrelatedNoise{PerAxis<double>(4e-3, 1e-3, 4.5e-3), Eigen::Matrix3d(Eigen::Matrix3d::Identity())});
+  imu.gyro.add(RandomWalk{1e-170});
+  imu.accel.add(CorrelatedNoise{0.5, Eigen::Matrix3d(Eigen::Matrix3d::Ones())});
+  imu.accel.add(RandomWalk{0.25});
+  const auto noise = imu_noise_of(imu, 100);
+  REQUIRE(noise);
+  CHECK(noise->gyro_noise_density == Approx(5e-3));
+  CHECK(noise->gyro_random_walk == 1e-170);
+  CHECK(noise->accel_noise_density == 0.5);
+  CHECK(noise->accel_random_walk == 0.25);
+  CHECK(noise->update_rate == 100);
+  CHECK_FALSE(imu_noise_of(AnyImu{}, 100));
 }
 
 TEST_CASE("OpenVINS' intrinsics become terms") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <splinertia/errors/noise/correlated_noise.hpp>
 #include <splinertia/errors/noise/random_walk.hpp>
 #include <splinertia/errors/noise/white_noise.hpp>
 #include <splinertia/errors/scale/misalignment.hpp>
@@ -25,13 +26,25 @@ const Names& names_of(Estimator estimator) {
   return table.at(static_cast<std::size_t>(estimator));
 }
 
-// The root of the sum of squares of the densities of all terms T, on the axis where it is largest.
-template <template <typename, int> typename T>
+// The root of the sum of squares of the densities of all Terms, on the axis where it is largest.
+template <typename... Terms>
 double density_of(const AnySensorModel& model) {
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-  for (const auto& term : model.all<T<double, 1>>()) squares += term.density.template vector<3>().cwiseAbs2();
-  for (const auto& term : model.all<T<double, 3>>()) squares += term.density.vector().cwiseAbs2();
-  return std::sqrt(squares.maxCoeff());
+  Eigen::Vector3d density = Eigen::Vector3d::Zero();
+  const auto add = [&](const auto& terms) {
+    for (const auto& term : terms) {
+      const Eigen::Vector3d more = term.density.template vector<3>();
+      for (int axis = 0; axis < 3; ++axis) density[axis] = std::hypot(density[axis], more[axis]);
+    }
+  };
+  (add(model.all<Terms>()), ...);
+  return density.maxCoeff();
+}
+
+double white_noise_of(const AnySensorModel& model) {
+  return density_of<WhiteNoise<double, 1>, WhiteNoise<double, 3>, CorrelatedNoise<double, 3>>(model);
+}
+double random_walk_of(const AnySensorModel& model) {
+  return density_of<RandomWalk<double, 1>, RandomWalk<double, 3>>(model);
 }
 
 }  // namespace
@@ -54,10 +67,10 @@ AnyImu errors_of(const ImuNoise& noise) {
 
 std::optional<ImuNoise> imu_noise_of(const AnyImu& imu, double rate) {
   ImuNoise noise;
-  noise.gyro_noise_density = density_of<WhiteNoise>(imu.gyro);
-  noise.gyro_random_walk = density_of<RandomWalk>(imu.gyro);
-  noise.accel_noise_density = density_of<WhiteNoise>(imu.accel);
-  noise.accel_random_walk = density_of<RandomWalk>(imu.accel);
+  noise.gyro_noise_density = white_noise_of(imu.gyro);
+  noise.gyro_random_walk = random_walk_of(imu.gyro);
+  noise.accel_noise_density = white_noise_of(imu.accel);
+  noise.accel_random_walk = random_walk_of(imu.accel);
   noise.update_rate = rate;
   if (std::min({noise.gyro_noise_density, noise.gyro_random_walk, noise.accel_noise_density, noise.accel_random_walk}) >
       0) {

@@ -58,6 +58,6 @@ inline constexpr std::array<Estimator, 5> estimators{Estimator::kalibr, Estimato
 /// The error terms of this noise, in Kalibr's order: misalignment, g-sensitivity, random walk, white noise.
 [[nodiscard]] AnyImu errors_of(const ImuNoise& noise);
 
-/// The densities of these errors for estimators: white noise and random walks, each the root of the sum of squares on
-/// the noisiest axis. Nothing if one of the four is zero, which estimators reject.
+/// The densities of these errors for estimators: white noise, correlated between axes or not, and random walks, each the
+/// root of the sum of squares on the noisiest axis. Nothing if one of the four is zero, which estimators reject.
 [[nodiscard]] std::optional<ImuNoise> imu_noise_of(const AnyImu& imu, double rate);

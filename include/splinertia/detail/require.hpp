@@ -58,4 +58,11 @@ constexpr void require_factor(const char* whose, const char* parameter, const Sc
   require(-most() <= value && value <= most(), whose, parameter, value, "a number whose third power does not overflow");
 }
 
+/// Checks the density or the standard deviation of a noise, which is multiplied with random numbers and with intervals.
+template <typename Scalar>
+constexpr void require_noise_factor(const char* whose, const char* parameter, const Scalar& value) {
+  require_non_negative(whose, parameter, value);
+  require_factor(whose, parameter, value);
+}
+
 }  // namespace splinertia::detail

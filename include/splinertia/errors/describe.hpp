@@ -6,14 +6,12 @@
 #include <splinertia/detail/message.hpp>
 #include <splinertia/errors/error_model.hpp>
 #include <splinertia/errors/per_axis.hpp>
+#include <splinertia/errors/sensor_kind.hpp>
 #include <string>
 #include <string_view>
 #include <tuple>
 
 namespace splinertia {
-
-/// What an error model belongs to, which decides its units.
-enum class SensorKind { gyro, accel, clock };
 
 /// The unit of what a sensor measures: unit/s^per_seconds. {"m"} of a barometer, {"m", 1} of a wheel's speed, {"px"} of a
 /// camera.

@@ -14,6 +14,8 @@
 ///       needs: ImuSensorSample<Scalar>& sample. For a term of a clock: Stamp<Scalar>& stamp.
 ///   static constexpr std::string_view name;
 ///       Names the random streams, and the term in descriptions. Optional for a term without random numbers.
+///   static constexpr SensorKind sensor;
+///       Optional, for a term of gyroscopes or of accelerometers only: an Imu refuses it in the model of the other one.
 ///   void describe(auto&& parameter) const;
 ///       Optional, for errors/describe.hpp. Must call parameter(name, value, unit) for each parameter; the unit is a
 ///       SensorUnit or a text.
@@ -27,6 +29,7 @@
 #include <splinertia/errors/clock/stamp.hpp>
 #include <splinertia/errors/detail/any_sample.hpp>
 #include <splinertia/errors/normal_streams.hpp>
+#include <splinertia/errors/sensor_kind.hpp>
 #include <splinertia/errors/sensor_sample.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/random/random_stream.hpp>

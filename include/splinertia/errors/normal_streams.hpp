@@ -16,18 +16,18 @@ namespace splinertia {
 template <BitGenerator Generator = Xoshiro256, int Axes = 3>
 class NormalStreams {
  public:
-  static constexpr int axes = Axes;
+  static constexpr int axes = detail::checked_axes<Axes>();
 
   constexpr explicit NormalStreams(StreamKey term) : streams_(term) {}
 
   /// Independent standard normal numbers, one for each axis.
   template <typename Scalar>
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<Scalar, Axes> draw() {
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<Scalar, axes> draw() {
     return streams_.template draw<Scalar>();
   }
   /// Independent numbers uniform in [0, 1), one for each axis, from the same streams. They are independent of the normal
   /// numbers drawn before and after.
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<double, Axes> draw_uniform() { return streams_.draw_uniform(); }
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE AxisVector<double, axes> draw_uniform() { return streams_.draw_uniform(); }
   /// One standard normal number, from the first stream.
   [[nodiscard]] double draw_one() { return first()(); }
   /// A number uniform in [0, 1), from the first stream.
@@ -38,7 +38,7 @@ class NormalStreams {
     return static_cast<detail::AxisStream<Generator, 0>&>(streams_).stream;
   }
 
-  detail::AxisStreams<Generator, std::make_index_sequence<static_cast<std::size_t>(Axes)>> streams_;
+  detail::AxisStreams<Generator, std::make_index_sequence<static_cast<std::size_t>(axes)>> streams_;
 };
 
 NormalStreams(StreamKey) -> NormalStreams<>;

@@ -15,6 +15,28 @@
 
 namespace splinertia {
 
+namespace detail {
+
+/// The number of axes. For one that no sensor has, the message of the static_assert is all that compilers have to say.
+template <int Axes>
+[[nodiscard]] consteval int checked_axes() {
+  static_assert(Axes >= 1,
+                "a sensor has a fixed number of axes >= 1, which Eigen::Dynamic is not: PerAxis<double, 3>, "
+                "sensor_errors<3>(model, key)");
+  return Axes >= 1 ? Axes : 1;
+}
+
+/// The number of elements or rows of a parameter that is a vector or a matrix.
+template <int Size>
+[[nodiscard]] consteval int checked_size() {
+  static_assert(Size >= 1,
+                "a parameter of an error term is a number, or a vector or a matrix of fixed size: Eigen::Matrix3d, not "
+                "Eigen::MatrixXd");
+  return Size >= 1 ? Size : 3;
+}
+
+}  // namespace detail
+
 /// One number for each axis of a sensor.
 template <typename Scalar, int Axes>
 using AxisVector = Eigen::Matrix<Scalar, Axes, 1>;
@@ -23,8 +45,6 @@ using AxisVector = Eigen::Matrix<Scalar, Axes, 1>;
 /// sensor with N axes. PerAxis(0.1) and PerAxis(0.1, 0.1, 0.3) deduce both template arguments.
 template <typename Scalar_, int N = 3>
 class PerAxis {
-  static_assert(N >= 1);
-
  public:
   using Scalar = Scalar_;
 
@@ -68,7 +88,7 @@ class PerAxis {
  private:
   // One value is stored three times. Compilers then read it as a vector of three, instead of making the vector for every
   // sample.
-  static constexpr int stored = N == 1 ? 3 : N;
+  static constexpr int stored = N == 1 ? 3 : detail::checked_axes<N>();
 
   detail::FixedArray<Scalar, stored> values_{};
 };
@@ -95,10 +115,22 @@ constexpr void require_factor(const char* term, const char* parameter, const Per
   for (const Scalar& value : values) require_factor(term, parameter, value);
 }
 
+template <typename Scalar, int N>
+constexpr void require_noise_factor(const char* term, const char* parameter, const PerAxis<Scalar, N>& values) {
+  for (const Scalar& value : values) require_noise_factor(term, parameter, value);
+}
+
 template <typename Scalar, int Rows, int Columns>
 void require_finite(const char* term, const char* parameter, const Eigen::Matrix<Scalar, Rows, Columns>& values) {
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) require_finite(term, parameter, values(row, column));
+  }
+}
+
+template <typename Scalar, int Rows, int Columns>
+void require_factor(const char* term, const char* parameter, const Eigen::Matrix<Scalar, Rows, Columns>& values) {
+  for (int row = 0; row < Rows; ++row) {
+    for (int column = 0; column < Columns; ++column) require_factor(term, parameter, values(row, column));
   }
 }
 
@@ -129,7 +161,7 @@ template <typename Scalar, int N>
 inline constexpr int values_in_parameter<PerAxis<Scalar, N>> = N;
 template <typename P>
   requires requires { P::SizeAtCompileTime; }
-inline constexpr int values_in_parameter<P> = (std::max)(1, static_cast<int>(P::SizeAtCompileTime));
+inline constexpr int values_in_parameter<P> = checked_size<static_cast<int>(P::SizeAtCompileTime)>();
 template <typename P>
 inline constexpr int values_in_parameter<std::optional<P>> = values_in_parameter<P>;
 

@@ -45,14 +45,15 @@ struct StampedSensorReading : SensorReading<Axes, Scalar, Time> {
 template <typename Model, int Axes = 1, typename Stamps = ErrorModel<>, typename Scalar = double,
           TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class SensorErrors {
+  static constexpr int axes = detail::checked_axes<Axes>();
   static_assert(detail::SensorModel<Model>,
                 "a sensor has an ErrorModel: SensorErrors(ErrorModel{WhiteNoise{0.01}}, key); errors of time stamps "
                 "(ClockOffset, DroppedSamples, …) are a second one: SensorErrors(model, stamps, key)");
   static_assert(detail::ClockModel<Stamps>,
                 "the second model of a sensor is the ErrorModel of its stamps (ClockOffset, DroppedSamples, …): "
                 "SensorErrors(model, stamps, key)");
-  using Sample = SensorSample<Scalar, Axes>;
-  using State = detail::StateOfModel<Model, Axes, Generator>;
+  using Sample = SensorSample<Scalar, axes>;
+  using State = detail::StateOfModel<Model, axes, Generator>;
   using Clock = detail::RunClock<Stamps, Scalar, Time, Generator>;
   static_assert(detail::AppliesTo<Model, Sample&, State>,
                 "a term of the error model does not apply to a sensor with this number of axes and this scalar type "
@@ -62,30 +63,32 @@ class SensorErrors {
                 "the error terms of the stamps use another scalar type than the sensor");
 
  public:
-  using Value = detail::SensorValue<Scalar, Axes>;
-  using Reading = std::conditional_t<Clock::has_stamps, StampedSensorReading<Axes, Scalar, Time>,
-                                     SensorReading<Axes, Scalar, Time>>;
+  using Value = detail::SensorValue<Scalar, axes>;
+  using Reading = std::conditional_t<Clock::has_stamps, StampedSensorReading<axes, Scalar, Time>,
+                                     SensorReading<axes, Scalar, Time>>;
 
   /// `sensor` names the random numbers: a part of StreamKey(seed) for each sensor of a run.
   SensorErrors(const Model& model, StreamKey sensor) : SensorErrors(model, Stamps{}, sensor) {}
   SensorErrors(const Model& model, const Stamps& stamps, StreamKey sensor)
       : model_(model),
         stamps_(stamps),
-        state_(model.template start<Axes, Generator>(sensor / "value")),
+        state_(model.template start<axes, Generator>(sensor / "value")),
         clock_(stamps.template start<Stamp<Scalar>::axes, Generator>(sensor / "stamps")) {}
 
   /// The reading of a measurement taken at `time`, `interval` s after the previous one (for the first: the sampling
-  /// interval). It is empty if the sample is dropped. Stamps increase strictly: a stamp that its errors would put before
-  /// next_stamp() of the last one becomes next_stamp(). Requires interval > 0. Throws std::invalid_argument for a stamp
-  /// that is not finite.
+  /// interval). Without clock errors its stamp is `time`, which is not checked. With clock errors stamps increase
+  /// strictly: a stamp that would be before next_stamp() of the last one becomes next_stamp(). With clock errors it is
+  /// empty if the sample is dropped, and throws std::invalid_argument for a stamp that is not finite, std::out_of_range
+  /// for one that an integer Time cannot hold. Requires interval > 0, and of an integer Time that it holds the
+  /// difference to the first time (64 bits of nanoseconds: 292 years).
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE std::optional<Reading> apply(Time time, const Value& truth,
                                                                       const Scalar& interval) {
     const auto now = clock_.sample_at(time, interval);
-    Sample sample{AxisVector<Scalar, Axes>(truth), AxisVector<Scalar, Axes>::Zero(), interval, now.first, now.elapsed};
+    Sample sample{AxisVector<Scalar, axes>(truth), AxisVector<Scalar, axes>::Zero(), interval, now.first, now.elapsed};
     model_.apply(sample, state_);
     Reading reading;
     if (!clock_.stamp(stamps_, now, "SensorErrors", reading)) return std::nullopt;
-    if constexpr (Axes == 1) {
+    if constexpr (axes == 1) {
       reading.value = sample.value[0];
       reading.bias = sample.bias[0];
     } else {
@@ -107,12 +110,12 @@ class SensorErrors {
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
           typename Model>
 [[nodiscard]] auto sensor_errors(const Model& model, StreamKey sensor) {
-  return SensorErrors<Model, Axes, ErrorModel<>, Scalar, Time, Generator>(model, sensor);
+  return SensorErrors<Model, detail::checked_axes<Axes>(), ErrorModel<>, Scalar, Time, Generator>(model, sensor);
 }
 template <int Axes, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256,
           typename Model, typename Stamps>
 [[nodiscard]] auto sensor_errors(const Model& model, const Stamps& stamps, StreamKey sensor) {
-  return SensorErrors<Model, Axes, Stamps, Scalar, Time, Generator>(model, stamps, sensor);
+  return SensorErrors<Model, detail::checked_axes<Axes>(), Stamps, Scalar, Time, Generator>(model, stamps, sensor);
 }
 
 }  // namespace splinertia

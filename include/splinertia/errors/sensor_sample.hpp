@@ -9,10 +9,10 @@ namespace splinertia {
 /// 1 by a barometer. Terms that need more than this take a derived type (imu/imu_sensor_sample.hpp).
 template <typename Scalar, int Axes = 3>
 struct SensorSample {
-  static constexpr int axes = Axes;
+  static constexpr int axes = detail::checked_axes<Axes>();
 
-  AxisVector<Scalar, Axes> value;  ///< the reading so far; the true one before the first term
-  AxisVector<Scalar, Axes> bias;   ///< the bias in `value` so far
+  AxisVector<Scalar, axes> value;  ///< the reading so far; the true one before the first term
+  AxisVector<Scalar, axes> bias;   ///< the bias in `value` so far
   Scalar interval;                 ///< since the previous sample, s; the sampling interval for the first
   bool first;                      ///< whether it is the first of its run
   Scalar elapsed;                  ///< since the first sample, s

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <splinertia/errors/error_model.hpp>
+#include <splinertia/errors/sensor_kind.hpp>
 #include <splinertia/group/lie_group.hpp>
 #include <splinertia/imu/imu_sample.hpp>
 #include <splinertia/time.hpp>
@@ -34,6 +35,12 @@ struct Imu {
       detail::ClockModel<Stamps> || detail::is_term<Stamps>,
       "the third part of an Imu is the ErrorModel of its stamps (ClockOffset, StampJitter, …): Imu{gyro, accel, "
       "stamps}");
+  static_assert(detail::is_for<Gyro, SensorKind::gyro>,
+                "the first part of an Imu is its gyroscope's ErrorModel, but a term in it is for accelerometers "
+                "(SizeEffect)");
+  static_assert(detail::is_for<Accel, SensorKind::accel>,
+                "the second part of an Imu is its accelerometer's ErrorModel, but a term in it is for gyroscopes "
+                "(GSensitivity, GSquaredSensitivity)");
 
   [[no_unique_address]] Gyro gyro{};
   [[no_unique_address]] Accel accel{};

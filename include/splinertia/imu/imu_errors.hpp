@@ -20,7 +20,7 @@ namespace splinertia {
 ///   if (errors.apply(time, ideal, interval, reading)) …
 template <typename Sensors, typename Scalar = double, TimePoint Time = double, BitGenerator Generator = Xoshiro256>
 class ImuErrors {
-  static_assert(detail::is_imu<Sensors>,
+  static_assert(detail::is_imu<std::remove_const_t<Sensors>>,
                 "the errors of an IMU are an Imu: Imu{ErrorModel{WhiteNoise{0.01}}, ErrorModel{}}");
   using Clock = detail::RunClock<decltype(Sensors::stamps), Scalar, Time, Generator>;
 
@@ -34,9 +34,11 @@ class ImuErrors {
                   imu.stamps.template start<Stamp<Scalar>::axes, Generator>(run / "stamps")) {}
 
   /// Makes the reading of a measurement taken at `time`, `interval` s after the previous one (for the first: the
-  /// sampling interval). Returns false if the sample is dropped; `reading` is then unchanged. Stamps increase strictly:
-  /// a stamp that its errors would put before next_stamp() of the last one becomes next_stamp(). Requires interval > 0.
-  /// Throws std::invalid_argument for a stamp that is not finite.
+  /// sampling interval). Without clock errors its stamp is `time`, which is not checked. With clock errors stamps
+  /// increase strictly: a stamp that would be before next_stamp() of the last one becomes next_stamp(). With clock
+  /// errors it returns false if the sample is dropped, and throws std::invalid_argument for a stamp that is not finite,
+  /// std::out_of_range for one that an integer Time cannot hold; `reading` is then unchanged. Requires interval > 0, and
+  /// of an integer Time that it holds the difference to the first time (64 bits of nanoseconds: 292 years).
   SPLINERTIA_ALWAYS_INLINE bool apply(Time time, const ImuMeasurement<Scalar>& ideal, const Scalar& interval,
                                       Reading& reading) {
     const auto now = clock_.sample_at(time, interval);

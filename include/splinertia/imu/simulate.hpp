@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -181,12 +180,11 @@ template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors
 /// its seed and have different numbers `options.imu`. Also throws std::invalid_argument for a mounting that is not
 /// finite.
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors, typename Scalar>
-  requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group> &&
-           std::same_as<Scalar, ScalarOf<typename std::remove_cvref_t<Motion>::Group>>)
-[[nodiscard]] detail::Simulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate(
+  requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
+[[nodiscard]] detail::Simulation<Motion, Sensors, Generator, detail::MountingOn<Motion>> simulate(
     Motion&& motion, const Sensors& sensors, const Mounting<Scalar>& mounting,
     const typename detail::Simulation<Motion, Sensors, Generator>::Options& options = {}) {
-  return {std::forward<Motion>(motion), sensors, options, mounting};
+  return {std::forward<Motion>(motion), sensors, options, detail::mounting_on<Motion>(mounting)};
 }
 
 }  // namespace splinertia

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
@@ -135,12 +134,11 @@ template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors
 
 /// The same for an IMU that is mounted on the body (simulate()).
 template <BitGenerator Generator = Xoshiro256, typename Motion, typename Sensors, typename Scalar>
-  requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group> &&
-           std::same_as<Scalar, ScalarOf<typename std::remove_cvref_t<Motion>::Group>>)
-[[nodiscard]] detail::IncrementSimulation<Motion, Sensors, Generator, Mounting<Scalar>> simulate_increments(
+  requires(Trajectory<std::remove_cvref_t<Motion>, 2> && Pose<typename std::remove_cvref_t<Motion>::Group>)
+[[nodiscard]] detail::IncrementSimulation<Motion, Sensors, Generator, detail::MountingOn<Motion>> simulate_increments(
     Motion&& motion, const Sensors& sensors, const Mounting<Scalar>& mounting,
     const typename detail::IncrementSimulation<Motion, Sensors, Generator>::Options& options = {}) {
-  return {std::forward<Motion>(motion), sensors, options, mounting};
+  return {std::forward<Motion>(motion), sensors, options, detail::mounting_on<Motion>(mounting)};
 }
 
 }  // namespace splinertia

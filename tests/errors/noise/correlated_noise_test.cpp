@@ -58,10 +58,18 @@ TEST_CASE("What is no matrix of correlations is refused") {
   CHECK_NOTHROW(with(1, -1, -1));
   CHECK_THROWS_WITH(with(2, 0, 0), "CorrelatedNoise: correlation is 2, expected 1 on the diagonal");
   CHECK_THROWS_WITH(with(1, 0.5, 0.25), "CorrelatedNoise: correlation is 0.25, expected a symmetric matrix");
-  CHECK_THROWS_AS(with(1, 1.5, 1.5), std::invalid_argument);
+  CHECK_THROWS_WITH(with(1, 1.5, 1.5), "CorrelatedNoise: correlation is 1.5, expected a number >= -1 and <= 1");
   CHECK_THROWS_AS(with(1, std::nan(""), 0), std::invalid_argument);
   CHECK_THROWS_AS((CorrelatedNoise{-0.1, R}), std::invalid_argument);
   CHECK_THROWS_AS((CorrelatedNoise{1, Eigen::Matrix3d{{1, 1, 0}, {1, 1, 0.5}, {0, 0.5, 1}}}), std::invalid_argument);
+}
+
+TEST_CASE("Correlations computed from a covariance are accepted and made symmetric") {
+  const Eigen::Matrix3d A{{1, 0.3, 0.1}, {0.7, 2, 0}, {0.2, -0.4, 0.6}}, S = A * A.transpose();
+  const Eigen::Vector3d scale = S.diagonal().cwiseSqrt().cwiseInverse();
+  const CorrelatedNoise noise{0.1, Eigen::Matrix3d(scale.asDiagonal() * S * scale.asDiagonal())};
+  CHECK(noise.correlation.diagonal() == Eigen::Vector3d::Ones());
+  CHECK(noise.correlation == noise.correlation.transpose());
 }
 
 TEST_CASE("Correlated noise in words") {

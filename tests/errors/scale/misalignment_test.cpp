@@ -60,13 +60,14 @@ TEST_CASE("A misalignment is given as a 3 by 3 matrix and nothing else") {
 
 TEMPLATE_TEST_CASE("Every matrix that can be inverted passes, whatever its size", "", float, double) {
   using Scalar = TestType;
-  const Scalar tiny = std::numeric_limits<Scalar>::min(), huge = std::numeric_limits<Scalar>::max();
+  const Scalar tiny = std::numeric_limits<Scalar>::min(), huge = detail::largest_factor<Scalar>();
   const Eigen::Matrix3<Scalar> I = Eigen::Matrix3<Scalar>::Identity();
   for (const Scalar& scale : {tiny, Scalar(1), huge, std::numeric_limits<Scalar>::denorm_min()})
     CHECK_NOTHROW(Misalignment{Eigen::Matrix3<Scalar>(scale * I)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(1, tiny, tiny)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(huge, 1, tiny)});
   CHECK_NOTHROW(Misalignment{diagonal<Scalar>(1, 1, -1)});
+  CHECK_THROWS_AS(Misalignment{diagonal<Scalar>(1, 1, 2 * huge)}, std::invalid_argument);  // times two readings
   // Rows that are nearly parallel, but not by rounding.
   const Scalar small = Scalar(1000) * std::numeric_limits<Scalar>::epsilon();
   CHECK_NOTHROW(Misalignment{matrix<Scalar>(1, 0, 0, 1, small, 0, 0, 0, 1)});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <splinertia/imu/describe.hpp>
 #include <splinertia/imu/errors/g_squared_sensitivity.hpp>
 
@@ -16,6 +17,17 @@ TEMPLATE_TEST_CASE("The square of the true specific force is added to the readin
   sample = applied(GSquaredSensitivity{PerAxis<TestType>(1, TestType(0.5), -1)}, sample);
   CHECK(sample.value == Vector(2, 4, -13));
   CHECK(sample.bias == Vector(4, 5, 6));
+}
+
+TEMPLATE_TEST_CASE("An axis without sensitivity reads what it should under any force", "", float, double) {
+  using Scalar = TestType;
+  const Eigen::Vector3<Scalar> huge = Eigen::Vector3<Scalar>::Constant(std::numeric_limits<Scalar>::max());
+  auto sample = sample_with<Scalar>(Eigen::Vector3<Scalar>::Ones());
+  sample.truth = {Eigen::Vector3<Scalar>::Zero(), huge};
+  sample = applied(GSquaredSensitivity{PerAxis<Scalar>(0, 1 / huge[0], 1)}, sample);
+  CHECK(sample.value.x() == 1);
+  CHECK(sample.value.y() == Approx(huge[0]));
+  CHECK(sample.value.z() == std::numeric_limits<Scalar>::infinity());
 }
 
 TEST_CASE("A g-squared sensitivity in words, and refused") {

@@ -118,7 +118,7 @@ TEST_CASE("A gap's message says where it is and the way out, and leaves all as i
   const auto at = [](double t) { return ImuSample<>{t, {0, 0, 0}, {0, 0, 0}}; };
   for (int i = 0; i <= 2; ++i) imu.push(at(0.25 * i));
   CHECK_THROWS_WITH(imu.push(at(4)),
-                    "integrate: sample 3 at 4 comes 3.5 s after the one before, expected at most 2.5 s (GapOptions "
+                    "preintegrate: sample 3 at 4 comes 3.5 s after the one before, expected at most 2.5 s (GapOptions "
                     "sets another limit, or bridges gaps)");
   CHECK(imu.result().delta().interval == 0.5);
   imu.push(at(0.75));
@@ -128,6 +128,6 @@ TEST_CASE("A gap's message says where it is and the way out, and leaves all as i
   late.push(at(0));
   late.push(at(2));
   CHECK_THROWS_WITH(late.push(at(2.125)),
-                    "integrate: sample 1 at 2 comes 2 s after the one before, sample 2 only 0.125 s after it "
+                    "preintegrate: sample 1 at 2 comes 2 s after the one before, sample 2 only 0.125 s after it "
                     "(GapOptions sets another limit, or bridges gaps)");
 }

@@ -110,7 +110,7 @@ TEST_CASE("Samples that do not follow each other are refused, and change nothing
   imu.push(at(1));
   imu.push(at(1.5));
   const auto before = imu.result().delta();
-  CHECK_THROWS_WITH(imu.push(at(1.5)), "integrate: sample 2 is at 1.5, expected a time after 1.5");
+  CHECK_THROWS_WITH(imu.push(at(1.5)), "preintegrate: sample 2 is at 1.5, expected a time after 1.5");
   CHECK_THROWS_AS(imu.push(at(1.2)), std::invalid_argument);
   CHECK_THROWS_AS(imu.push(at(std::numeric_limits<double>::quiet_NaN())), std::invalid_argument);
   CHECK_THROWS_AS(imu.push(at(std::numeric_limits<double>::infinity())), std::invalid_argument);
@@ -142,13 +142,13 @@ TEST_CASE("Readings and biases that are not finite are refused") {
   Preintegrator<Midpoint, double> imu(0.0, {{1, 2, 3}, {4, 5, 6}});
   imu.push(at(0));
   CHECK_THROWS_WITH(imu.push(Sample{0.5, {0, nan, 0}, {0, 0, 0}}),
-                    "integrate: sample 1 at 0.5 has gyro[1] = nan, expected a finite number");
+                    "preintegrate: sample 1 at 0.5 has gyro[1] = nan, expected a finite number");
   imu.push(at(1));
   CHECK(imu.result().delta().interval == 1);
   using Biased = Preintegrator<Midpoint, double>;
   CHECK_THROWS_WITH(Biased(0.0, {{1, 2, nan}, {4, 5, 6}}),
                     "preintegrate: the gyroscope's bias[2] is nan, expected a finite number");
-  CHECK_THROWS_WITH(Biased(nan), "integrate: the initial time is nan, expected a finite number");
+  CHECK_THROWS_WITH(Biased(nan), "preintegrate: the initial time is nan, expected a finite number");
   using Noisy = Preintegrator<Midpoint, double, double, ImuNoise<double>>;
   CHECK_THROWS_WITH(Noisy(0.0, {}, {nan, 1, 1, 1}),
                     "preintegrate: the gyroscope's noise density is nan, expected a finite number >= 0");

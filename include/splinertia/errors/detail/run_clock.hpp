@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <concepts>
 #include <optional>
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
@@ -31,11 +32,14 @@ class RunClock {
 
   SPLINERTIA_ALWAYS_INLINE explicit RunClock(State stamps) : stamps_(std::move(stamps)) {}
 
+  /// The time of the next sample. Requires interval > 0, and of an integer Time that it holds the difference to the
+  /// first time.
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE Instant sample_at(Time time, const Scalar& interval) {
     assert(interval > Scalar(0) && "an interval between samples is positive");
     const bool first = first_;
     if (first) start_ = time;
     first_ = false;
+    assert(have_difference(start_, time) && "the times of a run span more ticks than their type can count");
     return {time, interval, first, to_seconds<Scalar>(time - start_)};
   }
 
@@ -63,6 +67,15 @@ class RunClock {
 
  private:
   struct Nothing {};
+
+  [[nodiscard]] static bool have_difference(Time from, Time to) {
+    if constexpr (std::floating_point<Time>) {
+      return true;
+    } else {
+      typename Time::rep difference{};
+      return !__builtin_sub_overflow(to.count(), from.count(), &difference);
+    }
+  }
 
   [[no_unique_address]] State stamps_;
   [[no_unique_address]] std::conditional_t<has_stamps, std::optional<Time>, Nothing> last_stamp_{};

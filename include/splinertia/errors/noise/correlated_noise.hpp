@@ -11,7 +11,7 @@ namespace splinertia {
 
 /// White noise whose axes are correlated, as where axes share electronics or are resolved from skewed sensors: adds
 /// N_i/√interval · (L n)_i, n standard normal, L·Lᵀ the N×N matrix of correlation coefficients. Each axis alone is as in
-/// WhiteNoise: N in unit/√Hz. Cholesky's factorisation.
+/// WhiteNoise: N in unit/√Hz.
 template <typename Scalar, int N>
 struct CorrelatedNoise {
   static constexpr std::string_view name = "correlated noise";
@@ -22,12 +22,14 @@ struct CorrelatedNoise {
   PerAxis<Scalar, N> density;
   Matrix correlation;
 
-  /// Throws std::invalid_argument unless the densities are finite and >= 0, and the matrix has ones on its diagonal, is
-  /// symmetric and has no negative eigenvalue.
+  /// The matrix may be computed from a covariance S, S_ij/√(S_ii S_jj); its symmetric part with ones on the diagonal is
+  /// used. Throws std::invalid_argument unless the densities and their third powers are finite and >= 0, and the matrix has,
+  /// but for rounding, ones on its diagonal, is symmetric and has no negative eigenvalue.
   CorrelatedNoise(const PerAxis<Scalar, N>& density_, const Matrix& correlation_)
       : density(density_), correlation(correlation_) {
-    detail::require_non_negative("CorrelatedNoise", "density", density);
+    detail::require_noise_factor("CorrelatedNoise", "density", density);
     detail::require_finite("CorrelatedNoise", "correlation", correlation);
+    correlation = detail::correlation_part("CorrelatedNoise", correlation);
     factor_ = detail::correlation_factor("CorrelatedNoise", correlation);
   }
 
@@ -47,7 +49,8 @@ struct CorrelatedNoise {
 };
 
 template <typename P, typename Matrix>
-CorrelatedNoise(const P&, const Matrix&)
-    -> CorrelatedNoise<detail::ScalarOfParameter<Matrix>, static_cast<int>(Matrix::RowsAtCompileTime)>;
+CorrelatedNoise(const P&,
+                const Matrix&) -> CorrelatedNoise<detail::ScalarOfParameter<Matrix>,
+                                                  detail::checked_size<static_cast<int>(Matrix::RowsAtCompileTime)>()>;
 
 }  // namespace splinertia

@@ -56,12 +56,12 @@ struct GaussMarkov {
   PerAxis<Scalar, N> correlation_time;
   std::optional<PerAxis<Scalar, N>> initial;  ///< the bias in the first sample
 
-  /// Throws std::invalid_argument unless the deviation is finite and >= 0, the correlation time finite and > 0, and the
-  /// initial value finite.
+  /// Throws std::invalid_argument unless the deviation and its third power are finite and >= 0, the correlation time finite
+  /// and > 0, and the initial value finite.
   constexpr GaussMarkov(const PerAxis<Scalar, N>& standard_deviation_, const PerAxis<Scalar, N>& correlation_time_,
                         const std::optional<PerAxis<Scalar, N>>& initial_ = std::nullopt)
       : standard_deviation(standard_deviation_), correlation_time(correlation_time_), initial(initial_) {
-    detail::require_non_negative("GaussMarkov", "standard deviation", standard_deviation);
+    detail::require_noise_factor("GaussMarkov", "standard deviation", standard_deviation);
     detail::require_positive("GaussMarkov", "correlation time", correlation_time);
     if (initial_) detail::require_finite("GaussMarkov", "initial value", *initial_);
   }

@@ -24,9 +24,9 @@ struct RandomWalk {
 
   PerAxis<Scalar, N> density;
 
-  /// Throws std::invalid_argument unless the density is finite and >= 0.
+  /// Throws std::invalid_argument unless the density and its third power are finite and >= 0.
   constexpr RandomWalk(const PerAxis<Scalar, N>& density_) : density(density_) {
-    detail::require_non_negative("RandomWalk", "density", density);
+    detail::require_noise_factor("RandomWalk", "density", density);
   }
 
   template <int Axes>

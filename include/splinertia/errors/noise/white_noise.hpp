@@ -19,9 +19,9 @@ struct WhiteNoise {
 
   PerAxis<Scalar, N> density;
 
-  /// Throws std::invalid_argument unless the density is finite and >= 0.
+  /// Throws std::invalid_argument unless the density and its third power are finite and >= 0.
   constexpr WhiteNoise(const PerAxis<Scalar, N>& density_) : density(density_) {
-    detail::require_non_negative("WhiteNoise", "density", density);
+    detail::require_noise_factor("WhiteNoise", "density", density);
   }
 
   template <int Axes>

@@ -22,10 +22,11 @@ struct Misalignment {
   using Matrix = Eigen::Matrix<Scalar, N, N>;
   Matrix matrix;
 
-  /// Throws std::invalid_argument unless the matrix is finite and invertible: with its rows scaled to unit length, the
-  /// magnitude of the determinant must exceed 8 eps, which is what rounding leaves of a singular matrix.
+  /// Throws std::invalid_argument unless the elements and their third powers are finite and the matrix is invertible: with
+  /// its rows scaled to unit length, the magnitude of the determinant must exceed 8 eps, which is what rounding leaves of
+  /// a singular matrix.
   Misalignment(const Matrix& matrix_) : matrix(matrix_) {
-    detail::require_finite("Misalignment", "matrix", matrix);
+    detail::require_factor("Misalignment", "matrix", matrix);
     Matrix directions = matrix;
     for (int i = 0; i < N; ++i) {
       const Scalar largest = matrix.row(i).cwiseAbs().maxCoeff();
@@ -49,6 +50,7 @@ struct Misalignment {
 };
 
 template <typename P>
-Misalignment(const P&) -> Misalignment<detail::ScalarOfParameter<P>, static_cast<int>(P::RowsAtCompileTime)>;
+Misalignment(const P&)
+    -> Misalignment<detail::ScalarOfParameter<P>, detail::checked_size<static_cast<int>(P::RowsAtCompileTime)>()>;
 
 }  // namespace splinertia

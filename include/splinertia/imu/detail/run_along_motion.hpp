@@ -14,6 +14,23 @@
 
 namespace splinertia::detail {
 
+/// The Mounting of an IMU on a body that moves so.
+template <typename Motion>
+using MountingOn = Mounting<ScalarOf<typename std::remove_cvref_t<Motion>::Group>>;
+
+/// A mounting as that of an IMU on a body that moves so: it needs the same scalar.
+template <typename Motion, typename Scalar>
+[[nodiscard]] MountingOn<Motion> mounting_on(const Mounting<Scalar>& mounting) {
+  constexpr bool same = std::is_same_v<Mounting<Scalar>, MountingOn<Motion>>;
+  static_assert(same,
+                "the Mounting has another scalar type than the motion: a motion in float needs a Mounting<float>");
+  if constexpr (same) {
+    return mounting;
+  } else {
+    return {};
+  }
+}
+
 /// What a simulated run of an IMU along a motion is made of. Mount is Mounting<Scalar> if the IMU is not at the body
 /// frame.
 template <typename Motion, typename Sensors, typename Mount>

@@ -13,13 +13,14 @@ namespace splinertia {
 template <typename Scalar = double>
 struct GSensitivity {
   static constexpr std::string_view name = "g-sensitivity";
+  static constexpr SensorKind sensor = SensorKind::gyro;
   struct State {};
 
   Eigen::Matrix3<Scalar> sensitivity;
 
-  /// Throws std::invalid_argument unless all elements are finite.
+  /// Throws std::invalid_argument unless all elements and their third powers are finite.
   GSensitivity(const Eigen::Matrix3<Scalar>& sensitivity_) : sensitivity(sensitivity_) {
-    detail::require_finite("GSensitivity", "sensitivity", sensitivity);
+    detail::require_factor("GSensitivity", "sensitivity", sensitivity);
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const { sample.value += sensitivity * sample.truth.accel; }

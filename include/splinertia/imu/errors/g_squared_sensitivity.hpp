@@ -16,6 +16,7 @@ namespace splinertia {
 template <typename Scalar = double, int N = 1>
 struct GSquaredSensitivity {
   static constexpr std::string_view name = "g-squared sensitivity";
+  static constexpr SensorKind sensor = SensorKind::gyro;
   struct State {};
 
   PerAxis<Scalar, N> sensitivity;
@@ -26,7 +27,9 @@ struct GSquaredSensitivity {
   }
 
   void apply(ImuSensorSample<Scalar>& sample, State&) const {
-    sample.value += sensitivity.template vector<3>().cwiseProduct(sample.truth.accel.cwiseAbs2());
+    // Not k times f²: no zero is multiplied by an overflow.
+    const Eigen::Vector3<Scalar> slope = sensitivity.template vector<3>().cwiseProduct(sample.truth.accel);
+    sample.value += slope.cwiseProduct(sample.truth.accel);
   }
 
   void describe(auto&& parameter) const { parameter("sensitivity", sensitivity, "rad/s/(m/s^2)^2"); }

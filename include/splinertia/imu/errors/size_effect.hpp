@@ -19,6 +19,7 @@ namespace splinertia {
 template <typename Scalar = double>
 struct SizeEffect {
   static constexpr std::string_view name = "size effect";
+  static constexpr SensorKind sensor = SensorKind::accel;
   struct State {
     Eigen::Vector3<Scalar> rate, slope;  // ω, and its last difference quotient
     Scalar interval = Scalar(0);         // of `slope`; 0 as long as there is none

@@ -20,16 +20,17 @@ namespace splinertia::detail {
 template <typename Scalar, TimePoint Time>
 class SampleStamps {
  public:
-  /// `intervals`: the number of intervals across which times are subtracted later, which must not overflow. Throws
-  /// std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
-  SampleStamps(Time start, const GapOptions<Scalar>& gaps, int intervals)
-      : last_(start), origin_(start), gaps_(gaps), intervals_(intervals) {
+  /// `intervals`: the number of intervals across which times are subtracted later, which must not overflow. `whose`: the
+  /// function whose name begins all messages. Throws std::invalid_argument for a start that is not finite and unless the
+  /// longest interval is > 0.
+  SampleStamps(const char* whose, Time start, const GapOptions<Scalar>& gaps, int intervals)
+      : last_(start), origin_(start), gaps_(gaps), whose_(whose), intervals_(intervals) {
     if (!is_finite(start)) {
-      refuse<std::invalid_argument>("integrate: the initial time is ", seconds_or_ticks(start),
+      refuse<std::invalid_argument>(whose_, ": the initial time is ", seconds_or_ticks(start),
                                     ", expected a finite number");
     }
     if (gaps.longest && ((finite_math_only && !is_finite(*gaps.longest)) || !(*gaps.longest > Scalar(0)))) {
-      refuse<std::invalid_argument>("integrate: the longest interval is ", *gaps.longest, " s, expected one > 0");
+      refuse<std::invalid_argument>(whose_, ": the longest interval is ", *gaps.longest, " s, expected one > 0");
     }
   }
 
@@ -51,12 +52,12 @@ class SampleStamps {
   /// the last one or too far from it for the type of time, and for a gap that is refused.
   [[nodiscard]] SampleStamps judged(Time time, std::size_t index, std::size_t intervals) const {
     if (!is_finite(time) || !(time > last_)) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", seconds_or_ticks(time),
+      refuse<std::invalid_argument>(whose_, ": sample ", index, " is at ", seconds_or_ticks(time),
                                     ", expected a time after ", seconds_or_ticks(last_));
     }
     const Time difference = time_between(last_, time);
     if (difference > largest()) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " is at ", seconds_or_ticks(time),
+      refuse<std::invalid_argument>(whose_, ": sample ", index, " is at ", seconds_or_ticks(time),
                                     ", the one before at ", seconds_or_ticks(last_),
                                     ": their difference does not fit the type of time");
     }
@@ -72,6 +73,7 @@ class SampleStamps {
   void append(Time time) { last_ = time; }
 
   [[nodiscard]] Time last() const { return last_; }
+  [[nodiscard]] const char* whose() const { return whose_; }
   [[nodiscard]] std::size_t gaps() const { return bridged_; }
   /// The time from the last stamp to a later one, s.
   [[nodiscard]] Scalar since_last(Time time) const { return to_seconds<Scalar>(time_between(last_, time)); }
@@ -80,7 +82,7 @@ class SampleStamps {
   void judge_by_longest(Time time, const Scalar& interval, std::size_t index) {
     if (!(interval > *gaps_.longest)) return;
     if (gaps_.policy == GapPolicy::refuse) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
+      refuse<std::invalid_argument>(whose_, ": sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
                                     " s after the one before, expected at most ", *gaps_.longest, " s");
     }
     ++bridged_;
@@ -95,7 +97,7 @@ class SampleStamps {
     const Scalar mean = to_seconds<Scalar>(time_between(origin_, last_)) / Scalar(static_cast<double>(intervals));
     if (intervals == 1 && mean > least && mean > many * interval) {  // then the first one was the gap
       if (gaps_.policy == GapPolicy::refuse) {
-        refuse<std::invalid_argument>("integrate: sample ", index - 1, " at ", seconds_or_ticks(last_), " comes ", mean,
+        refuse<std::invalid_argument>(whose_, ": sample ", index - 1, " at ", seconds_or_ticks(last_), " comes ", mean,
                                       " s after the one before, sample ", index, " only ", interval, " s after it",
                                       way_out);
       }
@@ -110,7 +112,7 @@ class SampleStamps {
     }
     if (!(interval > longest + rounding)) return;
     if (gaps_.policy == GapPolicy::refuse) {
-      refuse<std::invalid_argument>("integrate: sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
+      refuse<std::invalid_argument>(whose_, ": sample ", index, " at ", seconds_or_ticks(time), " comes ", interval,
                                     " s after the one before, expected at most ", longest, " s", way_out);
     }
     ++bridged_;
@@ -153,6 +155,7 @@ class SampleStamps {
   Time unquestioned_{};
   GapOptions<Scalar> gaps_;
   std::size_t bridged_ = 0;
+  const char* whose_;
   int intervals_;
 };
 

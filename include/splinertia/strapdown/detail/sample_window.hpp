@@ -34,9 +34,10 @@ class SampleWindow {
   };
   using Sample = std::conditional_t<takes_increments, Interval, ImuSample<Scalar, Time>>;
 
-  /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0.
-  explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {})
-      : stamps_(start, gaps, window > 1 ? static_cast<int>(window) - 1 : 1) {
+  /// Throws std::invalid_argument for a start that is not finite and unless the longest interval is > 0. Messages begin
+  /// with the name of the function `whose`.
+  explicit SampleWindow(Time start, const GapOptions<Scalar>& gaps = {}, const char* whose = "integrate")
+      : stamps_(whose, start, gaps, window > 1 ? static_cast<int>(window) - 1 : 1) {
     const Eigen::Vector3<Scalar> zero = Eigen::Vector3<Scalar>::Zero();
     if constexpr (takes_increments) {
       samples_.fill({{zero, zero, Scalar(0)}, start});
@@ -96,7 +97,7 @@ class SampleWindow {
       // A deviation of 1 % causes an error of 1 % of the correction, which is itself small. Stamps jitter by less.
       const Scalar interval = stamps_.since_last(time), expected = samples_.back().interval;
       if (pushed_ > 0 && time > last() && !(abs(interval - expected) <= expected / Scalar(100))) {
-        refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " comes ",
+        refuse<std::invalid_argument>(stamps_.whose(), ": sample ", pushed_, " at ", seconds_or_ticks(time), " comes ",
                                       interval, " s after the one before, expected ", expected,
                                       " s: the scheme needs equal intervals");
       }
@@ -126,7 +127,7 @@ class SampleWindow {
     } else if (is_finite(time) && time == last()) {
       stamps = stamps_.begun();
     } else {
-      refuse<std::invalid_argument>("integrate: the first sample is at ", seconds_or_ticks(time),
+      refuse<std::invalid_argument>(stamps_.whose(), ": the first sample is at ", seconds_or_ticks(time),
                                     ", the initial state at ", seconds_or_ticks(last()), ", expected the same time");
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -138,12 +139,12 @@ class SampleWindow {
 
   void check_reading(const Scalar& reading, const char* sensor, Eigen::Index axis, Time time) const {
     if (!is_finite(reading)) {
-      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " has ", sensor, '[',
-                                    axis, "] = ", reading, ", expected a finite number");
+      refuse<std::invalid_argument>(stamps_.whose(), ": sample ", pushed_, " at ", seconds_or_ticks(time), " has ",
+                                    sensor, '[', axis, "] = ", reading, ", expected a finite number");
     }
     if (!(-most() <= reading && reading <= most())) {
-      refuse<std::invalid_argument>("integrate: sample ", pushed_, " at ", seconds_or_ticks(time), " has ", sensor, '[',
-                                    axis, "] = ", reading, ", expected at most ", most(), " in magnitude");
+      refuse<std::invalid_argument>(stamps_.whose(), ": sample ", pushed_, " at ", seconds_or_ticks(time), " has ",
+                                    sensor, '[', axis, "] = ", reading, ", expected at most ", most(), " in magnitude");
     }
   }
 

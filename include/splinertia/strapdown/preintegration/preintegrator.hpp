@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/strapdown/detail/linearized_increment.hpp>
@@ -9,6 +10,7 @@
 #include <splinertia/strapdown/preintegration/preintegrated_imu.hpp>
 #include <splinertia/strapdown/schemes/integration_scheme.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace splinertia {
 
@@ -16,6 +18,16 @@ namespace detail {
 
 /// Placeholder for "no noise": no covariance is computed.
 struct Noiseless {};
+
+/// A scheme whose steps can be linearized.
+template <typename Scheme, typename Scalar, typename Time>
+concept PreintegrationScheme =
+    IntegrationScheme<Scheme, Scalar, Time> && LinearizableScheme<Scheme, Scalar, SchemeWindow<Scheme, Scalar, Time>>;
+
+/// What preintegration with such noise results in.
+template <typename Scalar, typename Noise>
+using PreintegrationResult =
+    PreintegratedImu<Scalar, std::conditional_t<std::is_same_v<Noise, Noiseless>, NoCovariance, ImuCovariance<Scalar>>>;
 
 }  // namespace detail
 
@@ -32,20 +44,23 @@ struct Noiseless {};
 /// RotationCorrectedIncrements or TwoSampleIncrements for increments. With Noiseless, the default, there is no
 /// covariance.
 template <typename Scheme, typename Scalar = double, TimePoint Time = double, typename Noise = detail::Noiseless>
-  requires IntegrationScheme<Scheme, Scalar, Time> &&
-           detail::LinearizableScheme<Scheme, Scalar, detail::SchemeWindow<Scheme, Scalar, Time>>
+  requires detail::PreintegrationScheme<Scheme, Scalar, Time>
 class Preintegrator {
-  static constexpr bool has_noise = !std::is_same_v<Noise, detail::Noiseless>;
+  static constexpr bool has_noise = std::derived_from<Noise, ImuNoise<Scalar>>;
+  static_assert(
+      has_noise || std::is_same_v<Noise, detail::Noiseless>,
+      "the noise of preintegration is an ImuNoise of the samples' scalar: imu_noise(imu), for samples in float "
+      "imu_noise<float>(imu); GapOptions come after it");
 
  public:
-  using Covariance = std::conditional_t<has_noise, detail::ImuCovariance<Scalar>, detail::NoCovariance>;
-  using Result = PreintegratedImu<Scalar, Covariance>;
+  using Result = detail::PreintegrationResult<Scalar, Noise>;
+  using Covariance = std::remove_cvref_t<decltype(std::declval<const Result&>().covariance())>;
 
   /// Throws std::invalid_argument for a start or a bias that is not finite, for noise that is not finite or < 0, and
   /// unless the longest interval of `gaps` is > 0.
   explicit Preintegrator(Time start, const ImuBias<Scalar>& bias = {}, const Noise& noise = {},
                          const GapOptions<Scalar>& gaps = {})
-      : result_(bias), noise_(noise), window_(start, gaps) {
+      : result_(bias), noise_(noise), window_(start, gaps, "preintegrate") {
     detail::require_all_finite("preintegrate", "the gyroscope's bias", bias.gyro);
     detail::require_all_finite("preintegrate", "the accelerometer's bias", bias.accel);
     if constexpr (has_noise) {
@@ -61,7 +76,7 @@ class Preintegrator {
                 const GapOptions<Scalar>& gaps = {})
       : Preintegrator(start, bias, noise, gaps) {}
 
-  /// Adds a sample. Throws std::invalid_argument as Integrator does.
+  /// Adds a sample. Throws std::invalid_argument as Integrator does, in the name of preintegrate().
   template <typename Sample>
   void push(const Sample& sample) {
     const ImuBias<Scalar>& bias = result_.bias();

@@ -1,0 +1,5 @@
+// expect: a sensor has a fixed number of axes >= 1, which Eigen::Dynamic is not
+#include <splinertia/errors/noise/white_noise.hpp>
+#include <splinertia/errors/sensor_errors.hpp>
+using namespace splinertia;
+auto sensor = sensor_errors<Eigen::Dynamic>(ErrorModel{WhiteNoise{0.1}}, StreamKey(1));
