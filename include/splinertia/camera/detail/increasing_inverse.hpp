@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <limits>
-#include <splinertia/detail/cpp20.hpp>
+#include <splinertia/camera/detail/bisect.hpp>
 
 namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve it often enough, is replaced by its middle. It ends where steps no longer change x, which
+/// left, or does not halve it often enough, is replaced by a bisection. It ends where steps no longer change x, which
 /// takes at most 8 steps except close to an end at which the slope is zero.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
@@ -18,12 +18,13 @@ template <typename Scalar>
   for (int i = 0; i < 200; ++i) {
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
-    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;  // has the derivatives of a Jet
-    (excess < Scalar(0) ? low : high) = x;                                               // NaN: f overflows
+    // The last step gives the derivatives of a Jet.
+    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;
+    (excess < Scalar(0) ? low : high) = x;  // NaN: f overflows
     Scalar next = x - excess / slope;
     const Scalar step = next > x ? next - x : x - next;
     if (!(low < next && next < high) || (i > 3 && step > last_step / Scalar(2))) {
-      next = low + (high - low) / Scalar(2);
+      next = middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
     }
     const Scalar moved = next > x ? next - x : x - next;
