@@ -4,15 +4,15 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <splinertia/detail/cpp20.hpp>
+#include <splinertia/camera/detail/bisect.hpp>
 
 namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve often enough, is replaced by one to its middle, or by doubling x where `high` is far away. It
-/// ends where another step would not change x, by the quadratic convergence of the last two steps. The derivatives of a
-/// Jet are one step behind its value, so it takes that step.
+/// left, or does not halve often enough, is replaced by a bisection. It ends where another step would not change x, by
+/// the quadratic convergence of the last two steps. The derivatives of a Jet are one step behind its value, so it takes
+/// that step.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   using std::abs;
@@ -33,7 +33,7 @@ template <typename Scalar>
     const bool was_newton = newton;
     newton = low < next && next < high && (i < 4 || abs(step) < last / Scalar(2));
     if (!newton) {
-      next = Scalar(0) < low && low < high / Scalar(8) ? low + low : low + (high - low) / Scalar(2);
+      next = middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
       step = x - next;
     }

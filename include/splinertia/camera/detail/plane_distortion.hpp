@@ -60,6 +60,15 @@ template <Wrt wrt, int Count, typename T>
   return m;
 }
 
+/// The derivative of the undistorted point (x, y) by its distorted point. Zero where its inverse overflows.
+template <typename Scalar>
+[[nodiscard]] Eigen::Matrix2<Scalar> undistorted_jacobian(const auto& distortion, const Scalar& x, const Scalar& y) {
+  const Eigen::Matrix2<Scalar> D = distortion.template distort<Wrt::point, Scalar>(x, y).by_point;
+  const Scalar size = D.cwiseAbs().maxCoeff();
+  if (!is_finite(size) || !all_finite(D)) return Eigen::Matrix2<Scalar>::Zero();
+  return (D / size).inverse() / size;  // the determinant of D itself may overflow
+}
+
 /// A solution m of distort(m) = target in the domain, by Newton's method from `start` until the residual no longer falls.
 /// Steps that leave the domain or increase the residual are halved. Nothing if the residual stays above rounding.
 template <typename Scalar>
@@ -94,6 +103,21 @@ template <typename Scalar>
   return m;
 }
 
+/// The point with |m| = border whose image lies in the direction of the target.
+template <typename Scalar>
+[[nodiscard]] Eigen::Vector2<Scalar> border_towards(const auto& distortion, const Eigen::Vector2<Scalar>& target,
+                                                    const Scalar& border) {
+  using Vector = Eigen::Vector2<Scalar>;
+  Vector m = target.normalized() * border;
+  for (int i = 0; i < 3; ++i) {
+    const auto d = distortion.template distort<Wrt::nothing, Scalar>(m.x(), m.y());
+    const Vector across(-m.y(), m.x());
+    const Scalar missed = across.dot(Vector(d.x - target.x(), d.y - target.y())) / across.dot(across);
+    m = (m - across * (missed * (border / target.norm()))).normalized() * border;
+  }
+  return m;
+}
+
 /// The inverse of a distortion that is nearly radial: (x, y) = distort(m). `radial(r, slope)` is the distorted radius
 /// without tangential terms. It increases on [0, limit] to `end`. `tangential` is |p1| + |p2|. First the radial part is
 /// inverted. Then Newton's method in two dimensions adds the tangential part.
@@ -120,6 +144,9 @@ template <typename Scalar>
   // A Jet differentiates by the tangential terms.
   if (std::floating_point<Scalar> && tangential == Scalar(0)) return first;
   const auto m = undistort_from<Scalar>(distortion, target, first);
+  if (!m && limit < (std::numeric_limits<Scalar>::max)()) {
+    return undistort_from<Scalar>(distortion, target, border_towards<Scalar>(distortion, target, border));
+  }
   if (!m) return m;
   const Scalar size = m->norm();
   Scalar slope;
