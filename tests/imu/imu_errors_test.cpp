@@ -240,7 +240,7 @@ TEST_CASE("Of a sample that is dropped nothing is told") {
   auto errors = errors_of(imu);
   int dropped = 0;
   for (int i = 0; i < 100; ++i) {
-    decltype(errors)::Reading reading{{-1, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}}, -2};
+    decltype(errors)::Reading reading{{{-1, {1, 1, 1}, {2, 2, 2}}, {3, 3, 3}, {4, 4, 4}}, -2};
     if (errors.apply(i, ideal, 1, reading)) {
       REQUIRE(reading.true_time == i);
       REQUIRE(reading.time == i);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <numbers>
 #include <splinertia/group/detail/planar_motion.hpp>
 #include <splinertia/group/detail/rigid_motion.hpp>
 
