@@ -24,7 +24,7 @@ int main() {
   // A drone pitches about its x axis. An image that moves down faster than rows are read is never caught up with.
   std::puts("pitch [rad/s]   global shutter     rolling shutter      row read after");
   for (const double pitch : {0.0, 0.5, 2.0, 10.0, 40.0, -2.0, -40.0}) {
-    const ConstantTwist<Pose> drone(Pose{}, (Tangent<Pose>() << pitch, 0, 0, 0, 0, 0).finished());
+    const ConstantTwist<Pose> drone{Pose{}, pitch * Tangent<Pose>::UnitX()};
     const auto at_once = observe(drone, global, landmark, 0.0);
     std::printf("%8.1f       %7.2f %7.2f", pitch, at_once[0].pixel.x(), at_once[0].pixel.y());
     const auto row_by_row = observe(drone, rolling, landmark, 0.0);
@@ -36,7 +36,7 @@ int main() {
   }
 
   // What an error of the line delay does to a pixel, for calibrating it.
-  const ConstantTwist<Pose> drone(Pose{}, (Tangent<Pose>() << 2, 0, 0, 0, 0, 0).finished());
+  const ConstantTwist<Pose> drone{Pose{}, 2 * Tangent<Pose>::UnitX()};
   const auto seen = observe(drone, rolling, landmark, 0.0);
   const auto linear = linearize_observation<Wrt::line_delay>(drone, rolling, landmark, 0.0, seen[0]);
   std::printf("1 us more a row moves it by %.4f %.4f pixels\n", 1e-6 * linear->line_delay_jacobian.x(),

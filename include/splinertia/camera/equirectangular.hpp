@@ -96,7 +96,8 @@ class Equirectangular {
     const T across = select<T>(less<T>(x, T(0)), behind, T(1) - behind);
     const T down = polar_angle<T>(horizontal, -sy) * (turn + turn);
     p.pixel = {T(width_) * across, T(height_) * down};
-    const Mask<T> valid = (less<T>(T(0), magnitude(x)) | less<T>(T(0), magnitude(z))) & finite_lanes<T>(sx + sy + sz);
+    const Mask<T> beside_axis = either<T>(less<T>(T(0), magnitude(x)), less<T>(T(0), magnitude(z)));
+    const Mask<T> valid = both<T>(beside_axis, finite_lanes<T>(sx + sy + sz));
     if constexpr (includes(wrt, Wrt::point)) {
       const T square = lx * lx + lz * lz, radius = square_root<T>(square), ex = lx / radius, ez = lz / radius;
       const T by_longitude = T(width_) * turn * level / square;

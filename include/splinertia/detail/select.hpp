@@ -68,6 +68,16 @@ template <typename T>
   }
 }
 
+/// Where either is true.
+template <typename T>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Mask<T> either(const Mask<T>& a, const Mask<T>& b) {
+  if constexpr (is_simd_pack<T>) {
+    return a | b;
+  } else {
+    return a || b;
+  }
+}
+
 /// a where the mask is true, else b.
 template <typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T select(const Mask<T>& mask, const T& a, const T& b) {
