@@ -100,7 +100,8 @@ class Pinhole : public detail::FocalModel<Pinhole<Distortion>, typename detail::
 
  private:
   friend Base;
-  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const Body& body)
+  template <std::same_as<Body> B>  // no candidate for {}
+  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const B& body)
     requires(!std::same_as<Body, Distortion>)
       : Base("Pinhole", fx, fy, cx, cy, body) {}
 };
