@@ -106,7 +106,7 @@ class Pinhole : public detail::FocalModel<Pinhole<Distortion>, typename detail::
 
  private:
   friend Base;
-  template <std::same_as<Body> B>
+  template <std::same_as<Body> B>  // no candidate for {}
     requires(!std::same_as<Body, Distortion>)
   Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const B& body)
       : Base("Pinhole", fx, fy, cx, cy, body) {}
