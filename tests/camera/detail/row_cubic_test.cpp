@@ -50,8 +50,8 @@ TEST_CASE("The root of a nearly linear cubic is found to its digits") {
   splinertia::testing::Random random(2);
   for (int i = 0; i < 1000; ++i) {
     const double rise = 1 + 0.1 * random.symmetric(), at = 0.5 + 0.49 * random.symmetric();
-    const HermiteCubic<double> cubic(-at, rise + 0.05 * random.symmetric(), rise - at,
-                                     rise + 0.05 * random.symmetric());
+    const double before = -at * rise, after = (1 - at) * rise;
+    const HermiteCubic<double> cubic(before, rise + 0.05 * random.symmetric(), after, rise + 0.05 * random.symmetric());
     const double x = cubic.root();
     CHECK((x >= 0 && x <= 1));
     CHECK(std::abs(cubic.value(x)) < 1e-12);
