@@ -9,8 +9,6 @@
 #include <splinertia/camera/detail/segment_clip.hpp>
 #include <splinertia/camera/observation.hpp>
 #include <splinertia/camera/observe.hpp>
-#include <type_traits>
-#include <utility>
 
 namespace splinertia {
 
@@ -26,15 +24,13 @@ struct SegmentPart {
 
 /// The visible parts of the segment from a to b (world, m) in one frame of a camera with a global shutter, from a to b: a
 /// range without heap. The segment is clipped to the image and the region of the camera and to the model's domain; a
-/// distorted image of it may leave the image and return, so there may be several parts, at most 8. Ends are exact to
-/// rounding. A part that lies between two points 0.1 rad apart is found if the image of the segment crosses the border
-/// of the image there, but not if only a region hides the points.
+/// distorted segment may leave the image and return, so there may be several parts, at most 8. Ends are exact to
+/// rounding. Gaps that a region (ImageMask, ImageCircle) makes are only found if they are wider than 0.1 rad.
 ///
 /// A segment that is not finite, or that begins, ends or passes at the camera, has no visible parts. Throws
 /// std::out_of_range unless the curve is defined at frame_time.
 template <typename Curve, typename Camera>
-  requires(detail::ObservesAlong<Curve, Camera> &&
-           std::same_as<std::remove_cvref_t<decltype(std::declval<const Camera&>().shutter())>, GlobalShutter>)
+  requires(detail::ObservesAlong<Curve, Camera> && std::same_as<detail::ShutterOf<Camera>, GlobalShutter>)
 [[nodiscard]] auto observe_segment(const Curve& curve, const Camera& camera,
                                    const Eigen::Vector3<typename Camera::Scalar>& a,
                                    const Eigen::Vector3<typename Camera::Scalar>& b, typename Curve::Time frame_time) {

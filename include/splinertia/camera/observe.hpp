@@ -22,14 +22,16 @@ inline constexpr bool is_camera = false;
 template <typename M, typename Shutter, typename Region>
 inline constexpr bool is_camera<Camera<M, Shutter, Region>> = true;
 
+template <typename Camera>
+using ShutterOf = std::remove_cvref_t<decltype(std::declval<const Camera&>().shutter())>;
+
 /// The curve gives what observing with the camera needs: poses over the same scalar and, for a rolling shutter, their
 /// velocities.
 template <typename Curve, typename Camera>
 concept ObservesAlong = is_camera<Camera> && Trajectory < Curve,
-        is_rolling<std::remove_cvref_t<decltype(std::declval<const Camera&>().shutter())>>
-            ? 1
-            : 0 > &&Pose<typename Curve::Group>&&
-                      std::same_as<ScalarOf<typename Curve::Group>, typename Camera::Scalar>;
+        is_rolling<ShutterOf<Camera>> ? 1
+                                      : 0 > &&Pose<typename Curve::Group>&&
+                                                std::same_as<ScalarOf<typename Curve::Group>, typename Camera::Scalar>;
 
 /// One frame of a camera with a global shutter.
 template <typename Curve, typename Camera>
@@ -74,8 +76,8 @@ class RollingFrame {
 };
 
 template <typename Curve, typename Camera>
-using FrameOf = std::conditional_t<is_rolling<std::remove_cvref_t<decltype(std::declval<const Camera&>().shutter())>>,
-                                   RollingFrame<Curve, Camera>, GlobalFrame<Curve, Camera>>;
+using FrameOf =
+    std::conditional_t<is_rolling<ShutterOf<Camera>>, RollingFrame<Curve, Camera>, GlobalFrame<Curve, Camera>>;
 
 }  // namespace detail
 
@@ -110,10 +112,12 @@ class FrameObserver {
 /// The observations (0, 1, 2 …) of a landmark in one frame. `landmark` is in the world, m; `frame_time` is the stamp of
 /// the frame as the shutter's type says.
 ///
-/// With a rolling shutter the camera moves while the rows are read: a landmark is observed wherever the row that is
-/// read is the row in which it appears. All such rows in [0, height) are found, to rounding, at most 8; the pixel is in
-/// the image and the point in the model's domain. Two rows may be missed if they and all poses between them are within
-/// 0.2 rad of turning and the motion oscillates faster than that.
+/// With a rolling shutter the camera moves while the rows are read. A landmark is observed at every row v in [0, height)
+/// for which v is the row of its projection at the time when v is read, the pixel is in the image, and the point is in
+/// the model's domain. All such rows are found to rounding (at most 8). The frame is sampled so densely that the camera
+/// turns by at most 0.2 rad from one sample to the next; only a motion that oscillates faster than that could hide two
+/// rows. Between the ticks of an integer Time a pose follows from the nearest tick and its velocity, which for
+/// nanoseconds is exact to rounding.
 ///
 /// Throws std::out_of_range unless the curve is defined while all rows are read. A landmark that is not finite gives no
 /// observation. For many landmarks of one frame use FrameObserver.

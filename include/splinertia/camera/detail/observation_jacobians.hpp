@@ -96,6 +96,7 @@ template <Wrt wrt, Pose G, typename Camera>
 [[nodiscard]] inline bool linearize_pixel(const Motion<G, 1>& body, const Camera& camera,
                                           const Eigen::Vector3<ScalarOf<G>>& landmark, auto& result,
                                           const auto& with_pose) {
+  static_assert(!includes(wrt, Wrt::point), "the point in the camera is that of a model; ask for Wrt::landmark");
   using Scalar = ScalarOf<G>;
   constexpr Wrt of_model = includes(wrt, Wrt::parameters) ? Wrt::point | Wrt::parameters : Wrt::point;
   const auto state = camera_state<1>(body, camera.T_BC());

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <splinertia/camera/camera_model.hpp>
 #include <splinertia/camera/detail/frame_poses.hpp>
 #include <splinertia/camera/detail/row_cubic.hpp>
+#include <splinertia/camera/image_size.hpp>
 #include <splinertia/camera/observation.hpp>
 
 namespace splinertia::detail {
@@ -169,6 +171,8 @@ class RowSearch {
       row += step;
       if (!(low <= row && row <= high) || i % 4 == 3) row = low + (high - low) / Scalar(2);
     }
+    const Sample s = sample(row);
+    if (s.valid) emit(s, Scalar(0));
   }
 
   /// Notes the solution `step` rows after s, if it is in the image.
