@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <splinertia/detail/cpp20.hpp>
 
@@ -10,8 +11,7 @@ namespace splinertia::detail {
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
 /// left, or does not halve often enough, is replaced by one to its middle, or by doubling x where `high` is far away. It
-/// ends where steps are of the size of rounding, which takes at most 8 steps except close to an end at which the slope is
-/// zero.
+/// ends where the step or the residual is of the size of rounding. docs/cameras.md has the number of steps.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   constexpr auto epsilon = std::numeric_limits<Scalar>::epsilon;
@@ -25,10 +25,13 @@ template <typename Scalar>
     Scalar next = x - excess / slope;
     const Scalar size = x > Scalar(0) ? x : Scalar(-x), step = next > x ? next - x : x - next;
     if (!(step > epsilon() / Scalar(2) * size)) return next;
-    if (step > last_step / Scalar(2) && !(last_step > Scalar(8) * epsilon() * size)) {  // rounding
-      return low < next && next < high ? next : x;
+    const bool inside = low < next && next < high;
+    const bool slow = step > last_step / Scalar(2);
+    const Scalar left = excess > Scalar(0) ? excess : Scalar(-excess);
+    if ((slow || !inside) && left <= Scalar(16) * epsilon() * (y > Scalar(0) ? y : Scalar(-y))) {  // rounding
+      return inside || !std::floating_point<Scalar> ? next : x;
     }
-    if (!(low < next && next < high) || (i > 3 && step > last_step / Scalar(2))) {
+    if (!inside || (i > 3 && slow)) {
       next = Scalar(0) < low && low < high / Scalar(8) ? low + low : low + (high - low) / Scalar(2);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
     }
