@@ -51,7 +51,7 @@ void print_grid(const Model& model) {
   }
   std::printf("%s,end,%.1f,nan,nan\n", name.c_str(), end / degree);
   const auto inside = [&](double s) { return direction(end * (1 - 1e-9), 360 * s * degree); };
-  print_line(name, "border", end / degree, model, inside);
+  print_line(name, "border", 0, model, inside);
 }
 
 /// The radius in the image against the angle, for a fisheye whose coefficients fold it.
@@ -192,7 +192,7 @@ void print_picture() {
   print_grid(Unified(1.0, 420.0, 420.0, cx, cy, RadialTangential(-0.2, 0.05, 1e-4, 1e-4)));
   print_grid(DoubleSphere(158.28, 158.27, cx, cy, -0.172, 0.593));
   print_grid(ExtendedUnified(191.0, 191.0, cx, cy, 0.63, 1.04));
-  print_grid(Equirectangular(512.0, 512.0));
+  print_grid(Equirectangular(512.0, 256.0));
   print_fold();
 }
 
