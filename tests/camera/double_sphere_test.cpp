@@ -13,7 +13,7 @@ TEMPLATE_TEST_CASE("double sphere: projects, inverts, differentiates", "", float
   testing::check_model<DoubleSphere, TestType>({{158, 159, 254, 256, -0.17, 0.59},
                                                 {350, 351, 376, 240, 0.12, 0.44},
                                                 {300, 310, 320, 240, 0, 0},
-                                                {300, 310, 320, 240, 1, 0.5},
+                                                {300, 310, 320, 240, 0.25, 0.5},
                                                 {300, 310, 320, 240, 1.3, 0.7}});
 }
 

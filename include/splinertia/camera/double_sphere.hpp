@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <splinertia/camera/detail/blended_projection.hpp>
 #include <splinertia/camera/detail/focal_model.hpp>
@@ -28,7 +29,10 @@ class DoubleSphereBody {
 
   [[nodiscard]] Eigen::Vector2<Scalar> parameters() const { return {xi_, alpha_}; }
   [[nodiscard]] static DoubleSphereBody from(const Eigen::Vector2<Scalar>& p) { return {p[0], p[1]}; }
-  [[nodiscard]] Scalar largest_angle() const { return unshift_angle(blend_angle(alpha_), xi_); }
+  [[nodiscard]] Scalar largest_angle() const {
+    using std::acos;
+    return unshift_angle(Scalar(acos(-second_border_)), xi_);
+  }
 
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline PlanePoint<T, count, wrt> map(const T& x, const T& y,
@@ -63,9 +67,8 @@ class DoubleSphereBody {
   [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
                                                          const Scalar& y) const {
     const Scalar one(1), square = ray.x() * ray.x() + ray.y() * ray.y(), t = ray.z() + xi_;
-    const Scalar slope = (one + xi_ * ray.z()) * (alpha_ * (t / square_root<Scalar>(square + t * t)) + (one - alpha_));
-    return symmetric_ray_jacobian<Scalar>(ray, x, y, one + xi_,
-                                          [&](const Scalar& share) { return Scalar(share * share / slope); });
+    const Scalar slope = (one + xi_ * ray.z()) * blend_slope<Scalar>(alpha_, square, t);
+    return symmetric_ray_jacobian<Scalar>(ray, x, y, one + xi_, slope);
   }
 
  private:

@@ -29,9 +29,8 @@ class ExtendedUnifiedBody {
   [[nodiscard]] Eigen::Vector2<Scalar> parameters() const { return {alpha_, beta_}; }
   [[nodiscard]] static ExtendedUnifiedBody from(const Eigen::Vector2<Scalar>& p) { return {p[0], p[1]}; }
   [[nodiscard]] Scalar largest_angle() const {
-    using std::atan2, std::cos, std::sin;
-    const Scalar stretched = blend_angle(alpha_);
-    return atan2(sin(stretched), square_root(beta_) * cos(stretched));
+    using std::atan2;
+    return atan2(square_root<Scalar>((Scalar(1) - border_) * (Scalar(1) + border_)), -(square_root(beta_) * border_));
   }
 
   template <Wrt wrt, typename T>
@@ -64,11 +63,8 @@ class ExtendedUnifiedBody {
 
   [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
                                                          const Scalar& y) const {
-    const Scalar one(1), square = ray.x() * ray.x() + ray.y() * ray.y();
-    const Scalar rho = square_root<Scalar>(beta_ * square + ray.z() * ray.z());
-    const Scalar slope = alpha_ * (ray.z() / rho) + (one - alpha_);
-    return symmetric_ray_jacobian<Scalar>(ray, x, y, one,
-                                          [&](const Scalar& share) { return Scalar(share * share / slope); });
+    const Scalar square = ray.x() * ray.x() + ray.y() * ray.y();
+    return symmetric_ray_jacobian<Scalar>(ray, x, y, Scalar(1), blend_slope<Scalar>(alpha_, beta_ * square, ray.z()));
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/polar_angle.hpp>
 #include <splinertia/camera/detail/sine_defect.hpp>
+#include <splinertia/camera/detail/symmetric_ray.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
@@ -81,6 +82,13 @@ class FieldOfViewBody {
     if (angle < std::numeric_limits<Scalar>::epsilon()) return Eigen::Vector3<Scalar>(a, b, ratio_ * one);
     const Scalar share = sin(angle) / angle;
     return Eigen::Vector3<Scalar>(share * a, share * b, cos(angle) * ratio_ * one);
+  }
+
+  [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
+                                                         const Scalar& y) const {
+    const Scalar square = ray.x() * ray.x() + ray.y() * ray.y();
+    const Scalar along = (ray.z() * ray.z() + tangent_ * tangent_ * square) / ratio_;
+    return ray_jacobian_from_slopes<Scalar>(ray, x, y, along, sine_by_radius<Scalar>(ray, x, y, Scalar(1) / ratio_));
   }
 
  private:

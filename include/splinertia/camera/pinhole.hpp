@@ -7,6 +7,7 @@
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/model_name.hpp>
 #include <splinertia/camera/detail/plane_distortion.hpp>
+#include <splinertia/camera/detail/symmetric_ray.hpp>
 #include <splinertia/camera/distortion/equidistant.hpp>
 #include <splinertia/camera/distortion/no_distortion.hpp>
 #include <splinertia/camera/distortion/radial_tangential.hpp>
@@ -53,6 +54,17 @@ struct PerspectiveBody {
     const auto m = distortion.undistort(x, y);
     if (!m) return std::nullopt;
     return Eigen::Vector3<Scalar>(m->x(), m->y(), Scalar(1));
+  }
+
+  [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
+                                                         const Scalar& y) const {
+    const Scalar& z = ray.z();
+    if constexpr (count == 0) {
+      return ray_jacobian_from_slopes<Scalar>(ray, x, y, z * z, z);
+    } else {
+      const Scalar u = ray.x() / z, v = ray.y() / z;
+      return ray_jacobian_from_slopes<Scalar>(ray, u, v, z * z, z) * undistorted_jacobian<Scalar>(distortion, u, v);
+    }
   }
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/model_name.hpp>
@@ -84,15 +84,13 @@ class UnifiedBody {
   [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
                                                          const Scalar& y) const {
     const Scalar one(1), slope = one + xi_ * ray.z();
-    const auto undistorted = [&](const Scalar& u, const Scalar& v) {
-      return symmetric_ray_jacobian<Scalar>(ray, u, v, one + xi_,
-                                            [&](const Scalar& share) { return Scalar(share * share / slope); });
-    };
     if constexpr (Distortion::count == 0) {
-      return undistorted(x, y);
+      return symmetric_ray_jacobian<Scalar>(ray, x, y, one + xi_, slope);
     } else {
-      const Scalar u = ray.x() / (ray.z() + xi_), v = ray.y() / (ray.z() + xi_);
-      return undistorted(u, v) * distortion_.template distort<Wrt::point, Scalar>(u, v).by_point.inverse();
+      const Scalar depth = larger<Scalar>(ray.z() + xi_, std::numeric_limits<Scalar>::epsilon());
+      const Scalar u = ray.x() / depth, v = ray.y() / depth;
+      return symmetric_ray_jacobian<Scalar>(ray, u, v, one + xi_, slope) *
+             undistorted_jacobian<Scalar>(distortion_, u, v);
     }
   }
 

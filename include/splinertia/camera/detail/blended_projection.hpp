@@ -4,7 +4,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <optional>
 #include <splinertia/camera/detail/direction_scale.hpp>
 #include <splinertia/detail/finite.hpp>
@@ -33,6 +32,13 @@ template <typename T>
   return select<T>(forward, square / sum, sum);
 }
 
+/// α z / sqrt(square + z²) + 1 − α, without cancellation up to α = 1/2.
+template <typename Scalar>
+[[nodiscard]] Scalar blend_slope(const Scalar& alpha, const Scalar& square, const Scalar& z) {
+  const Scalar length = square_root<Scalar>(square + z * z);
+  return (Scalar(1) - (alpha + alpha)) + alpha * (difference_of_length<Scalar>(square, -z, length) / length);
+}
+
 /// A direction whose projection is (x, y), of any length that can be squared. Nothing outside the image.
 template <typename Scalar>
 [[nodiscard]] std::optional<Eigen::Vector3<Scalar>> unblend(const Scalar& x, const Scalar& y, const Scalar& alpha,
@@ -44,13 +50,6 @@ template <typename Scalar>
   const Scalar length = alpha * square_root(inside) + rest * one, depth = one * one - alpha * alpha * square;
   const Eigen::Vector3<Scalar> ray(a * length, b * length, depth);
   return ray * direction_scale<Scalar>(ray.x(), ray.y(), ray.z());
-}
-
-/// The angle between the z axis and (√β p, z) at which the domain ends.
-template <typename Scalar>
-[[nodiscard]] Scalar blend_angle(const Scalar& alpha) {
-  using std::acos;
-  return acos(-blend_border(alpha));
 }
 
 }  // namespace splinertia::detail

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <splinertia/detail/cpp20.hpp>
-#include <splinertia/detail/select.hpp>
+#include <splinertia/camera/detail/bisect.hpp>
 
 namespace splinertia::detail {
 
@@ -16,23 +15,6 @@ template <typename Scalar, std::size_t Size>
   Scalar sum = a[Size - 1];
   for (std::size_t i = Size - 1; i-- > 0;) sum = sum * x + a[i];
   return sum;
-}
-
-/// The root of a continuous f that has another sign at `low` ≥ 0 than at `high`, by bisection to neighbouring numbers,
-/// of the exponent first.
-template <typename Scalar>
-[[nodiscard]] Scalar bisect(const auto& f, Scalar low, Scalar high) {
-  const bool positive = f(low) > Scalar(0);
-  for (;;) {
-    Scalar middle = low + (high - low) / Scalar(2);
-    if (high > Scalar(1) && low < Scalar(1)) {
-      middle = Scalar(1);
-    } else if (low > Scalar(0) && high / Scalar(4) > low) {
-      middle = square_root<Scalar>(low) * square_root<Scalar>(high);
-    }
-    if (!(low < middle && middle < high)) return middle;
-    (((f(middle) > Scalar(0)) == positive) ? low : high) = middle;
-  }
 }
 
 /// The positions in (0, end), ascending, where the polynomial changes sign. They lie between those of its derivative,

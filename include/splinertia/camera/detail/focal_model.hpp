@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <limits>
 #include <optional>
 #include <splinertia/camera/camera_model.hpp>
@@ -34,7 +33,7 @@ struct PlanePoint {
 ///   body.map<wrt>(x, y, z)           PlanePoint<T, count, wrt> of a direction that direction_scale() has scaled
 ///   body.unmap(mx, my)               the direction, of any length, if (mx, my) is in the image of the domain
 ///   body.largest_angle()             the angle from the optical axis at which the domain ends
-///   body.ray_jacobian(ray, mx, my)   optional: ∂ray/∂m, where inverting ∂m/∂ray loses digits
+///   body.ray_jacobian(ray, mx, my)   ∂ray/∂m of the ray, of length 1, that unmap(mx, my) found
 template <typename Model, typename BodyType, typename ScalarType>
 class FocalModel {
  public:
@@ -101,18 +100,8 @@ class FocalModel {
   [[nodiscard]] std::optional<Ray<Scalar>> linearize_ray(const Eigen::Vector2<Scalar>& pixel) const {
     const auto direction = unproject(pixel);
     if (!direction) return std::nullopt;
-    Ray<Scalar> ray{*direction, {}};
-    const Eigen::Vector3<Scalar>& b = ray.direction;
-    if constexpr (requires { body_.ray_jacobian(b, b.x(), b.x()); }) {
-      ray.pixel_jacobian = body_.ray_jacobian(b, Scalar((pixel.x() - cx_) / fx_), Scalar((pixel.y() - cy_) / fy_));
-    } else {
-      // [∂m/∂ray; rayᵀ] X = [I; 0], because m does not depend on the length of a ray.
-      const auto m = body_.template map<Wrt::point>(b.x(), b.y(), b.z());
-      const Eigen::Vector3<Scalar> u = m.by_point.row(0), v = m.by_point.row(1);
-      const Eigen::Vector3<Scalar> vb = v.cross(b);
-      ray.pixel_jacobian << vb, b.cross(u);
-      ray.pixel_jacobian /= u.dot(vb);
-    }
+    const Scalar x = (pixel.x() - cx_) / fx_, y = (pixel.y() - cy_) / fy_;
+    Ray<Scalar> ray{*direction, body_.ray_jacobian(*direction, x, y)};
     ray.pixel_jacobian.col(0) /= fx_;
     ray.pixel_jacobian.col(1) /= fy_;
     return ray;

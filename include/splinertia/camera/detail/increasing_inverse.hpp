@@ -4,14 +4,14 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <splinertia/detail/cpp20.hpp>
+#include <splinertia/camera/detail/bisect.hpp>
 
 namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve often enough, is replaced by one to its middle, or by doubling x where `high` is far away. It
-/// ends where the step or the residual is of the size of rounding. docs/cameras.md has the number of steps.
+/// left, or does not halve often enough, is replaced by a bisection, or by doubling x where `high` is far away. It ends
+/// where the step or the residual is of the size of rounding. docs/cameras.md has the number of steps.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   constexpr auto epsilon = std::numeric_limits<Scalar>::epsilon;
@@ -20,8 +20,9 @@ template <typename Scalar>
   for (int i = 0; i < 200; ++i) {
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
-    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;  // has the derivatives of a Jet
-    (excess < Scalar(0) ? low : high) = x;                                               // NaN: f overflows
+    // The last step gives the derivatives of a Jet.
+    if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;
+    (excess < Scalar(0) ? low : high) = x;  // NaN: f overflows
     Scalar next = x - excess / slope;
     const Scalar size = x > Scalar(0) ? x : Scalar(-x), step = next > x ? next - x : x - next;
     if (!(step > epsilon() / Scalar(2) * size)) return next;
@@ -32,7 +33,7 @@ template <typename Scalar>
       return inside || !std::floating_point<Scalar> ? next : x;
     }
     if (!inside || (i > 3 && slow)) {
-      next = Scalar(0) < low && low < high / Scalar(8) ? low + low : low + (high - low) / Scalar(2);
+      next = Scalar(0) < low && low < high / Scalar(8) ? low + low : middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
     }
     last_step = next > x ? next - x : x - next;

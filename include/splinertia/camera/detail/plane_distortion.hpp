@@ -56,6 +56,15 @@ template <Wrt wrt, int Count, typename T>
   return m;
 }
 
+/// The derivative of the undistorted point (x, y) by its distorted point. Zero where its inverse overflows.
+template <typename Scalar>
+[[nodiscard]] Eigen::Matrix2<Scalar> undistorted_jacobian(const auto& distortion, const Scalar& x, const Scalar& y) {
+  const Eigen::Matrix2<Scalar> D = distortion.template distort<Wrt::point, Scalar>(x, y).by_point;
+  const Scalar size = D.cwiseAbs().maxCoeff();
+  if (!is_finite(size) || !all_finite(D)) return Eigen::Matrix2<Scalar>::Zero();
+  return (D / size).inverse() / size;  // the determinant of D itself may overflow
+}
+
 /// A solution m of distort(m) = target in the domain, by Newton's method from `start` until the residual no longer falls.
 /// Steps that leave the domain or increase the residual are halved. Nothing if the residual stays above rounding.
 template <typename Scalar>

@@ -90,12 +90,11 @@ class Equidistant {
 
   [[nodiscard]] Eigen::Matrix<Scalar, 3, 2> ray_jacobian(const Eigen::Vector3<Scalar>& ray, const Scalar& x,
                                                          const Scalar& y) const {
-    return detail::symmetric_ray_jacobian<Scalar>(ray, x, y, Scalar(1), [&](const Scalar&) {
-      const Scalar sine = detail::plane_norm<Scalar>(ray.x(), ray.y());
-      Scalar slope;
-      (void)radius(sine > Scalar(0) ? detail::polar_angle<Scalar>(sine, ray.z()) : Scalar(0), slope);
-      return Scalar(Scalar(1) / slope);
-    });
+    const Scalar across = detail::sine_by_radius<Scalar>(ray, x, y, Scalar(1));
+    const Scalar sine = detail::plane_norm<Scalar>(ray.x(), ray.y());
+    Scalar slope;
+    (void)radius(sine > Scalar(0) ? detail::polar_angle<Scalar>(sine, ray.z()) : Scalar(0), slope);
+    return detail::ray_jacobian_from_slopes<Scalar>(ray, x, y, Scalar(1) / slope, across);
   }
 
  private:

@@ -77,7 +77,9 @@ class Rational {
     return m;
   }
 
+  /// Nothing also where powers overflow: 2e6 focal lengths from the centre for float, 1e51 for double.
   [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort(const Scalar& x, const Scalar& y) const {
+    if (!(x * x + y * y < detail::largest_factor<Scalar>())) return std::nullopt;
     const auto radius = [this](const Scalar& r, Scalar& slope) { return radial(r, slope); };
     return detail::undistort_brown<Scalar>(*this, radius, x, y, limit_, end_, p1_ != Scalar(0) || p2_ != Scalar(0));
   }
