@@ -36,6 +36,7 @@ constexpr Kind kinds[] = {
     {"preint", check_preint},
     {"camera_project", check_camera_project},
     {"camera_unproject", check_camera_unproject},
+    {"rolling_shutter", check_rolling_shutter},
 };
 
 [[nodiscard]] std::string figure(double c) {

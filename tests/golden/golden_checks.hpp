@@ -30,6 +30,7 @@ void check_strapdown_truth(const Table& table, Report& report);
 void check_preint(const Table& table, Report& report);
 void check_camera_project(const Table& table, Report& report);
 void check_camera_unproject(const Table& table, Report& report);
+void check_rolling_shutter(const Table& table, Report& report);
 
 /// Checks every table *.csv of a folder. Throws std::runtime_error when there is none or one cannot be read.
 [[nodiscard]] Report check_folder(const std::filesystem::path& folder);

@@ -15,8 +15,19 @@
 
 namespace splinertia {
 
-/// What a pixel is differentiated with respect to. Values are combined by |.
-enum class Wrt : unsigned { nothing = 0, point = 1, parameters = 2 };
+/// What a pixel is differentiated with respect to. Values are combined by |. Models know `point`, in the camera frame, and
+/// `parameters`; linearize_observation() knows `parameters` and all others.
+enum class Wrt : unsigned {
+  nothing = 0,
+  point = 1,
+  parameters = 2,
+  pose = 4,            ///< of the body, at the time of the row; right perturbation
+  control_points = 8,  ///< of a spline; right perturbations
+  landmark = 16,       ///< in the world
+  T_BC = 32,           ///< right perturbation, [translation; rotation]
+  clock_offset = 64,   ///< of the camera: shifts the time of the frame with the motion fixed, per s
+  line_delay = 128     ///< per s
+};
 
 [[nodiscard]] constexpr Wrt operator|(Wrt a, Wrt b) {
   return static_cast<Wrt>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
