@@ -136,3 +136,23 @@ TEST_CASE("A matrix that is no pose is refused") {
   T(1, 3) = std::numeric_limits<double>::infinity();
   CHECK(message_of([&] { return pose_of_matrix(T); }) != "nothing thrown");
 }
+
+TEST_CASE("A camera becomes an entry and back") {
+  using Model = DoubleSphere<double>;
+  const Sophus::SE3d T_BC(Sophus::SO3d::exp({0.3, -0.4, 1.2}), Eigen::Vector3d(0.1, 0.2, -0.05));
+  const Camera camera{some_model<Model>(), ImageSize{752, 480}, T_BC, RollingShutter{29.4e-6}};
+  const KalibrCamera entry = to_kalibr(camera);
+  CHECK(entry.camera_model == "ds");
+  CHECK(entry.resolution == std::array{752, 480});
+  CHECK(entry.line_delay == 29.4e-6);
+  const auto again = camera_from_kalibr<Model>(entry, RollingShutter{*entry.line_delay});
+  CHECK(again.model().parameters() == camera.model().parameters());
+  CHECK((again.T_BC().matrix() - T_BC.matrix()).norm() < 1e-15);
+  CHECK(again.shutter().line_delay == 29.4e-6);
+  CHECK(again.size().width == 752);
+
+  CHECK_FALSE(to_kalibr(Camera{some_model<Model>(), ImageSize{752, 480}, T_BC}).line_delay);
+  KalibrCamera bad = entry;
+  bad.resolution[1] = 0;
+  CHECK(message_of([&] { return camera_from_kalibr<Model>(bad); }).starts_with("ImageSize: height is 0, expected "));
+}

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <splinertia/camera/camera.hpp>
 #include <splinertia/camera/kalibr_camera.hpp>
+#include <splinertia/camera/shutter.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <stdexcept>
@@ -50,6 +52,25 @@ template <typename Scalar = double>
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix4d T_cam_imu_of(const Sophus::SE3<Scalar>& T_BC) {
   return T_BC.inverse().matrix().template cast<double>();
+}
+
+/// The entry of a camera: its model, size, T_cam_imu and, for a rolling shutter, line_delay. Kalibr knows no stamp but
+/// that of the row that is read first.
+template <typename Model, typename Shutter, typename Region>
+[[nodiscard]] KalibrCamera to_kalibr(const Camera<Model, Shutter, Region>& camera) {
+  KalibrCamera entry = to_kalibr(camera.model());
+  entry.resolution = {camera.size().width, camera.size().height};
+  entry.T_cam_imu = T_cam_imu_of(camera.T_BC());
+  if constexpr (detail::is_rolling<Shutter>) entry.line_delay = static_cast<double>(camera.shutter().line_delay);
+  return entry;
+}
+
+/// The camera of an entry, with a shutter of your choice, as RollingShutter{*entry.line_delay}. Throws
+/// std::invalid_argument as from_kalibr(), T_BC_of() and the constructors do.
+template <CameraModel Model, typename Shutter = GlobalShutter>
+[[nodiscard]] Camera<Model, Shutter> camera_from_kalibr(const KalibrCamera& entry, const Shutter& shutter = {}) {
+  return {from_kalibr<Model>(entry), ImageSize{entry.resolution[0], entry.resolution[1]},
+          T_BC_of<typename Model::Scalar>(entry), shutter};
 }
 
 }  // namespace splinertia

@@ -11,8 +11,8 @@ namespace splinertia::detail {
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
 /// left, or does not halve often enough, is replaced by a bisection. It ends where another step would not change x, by
-/// the quadratic convergence of the last two steps. The derivatives of a Jet are one step behind its value, so it takes
-/// that step.
+/// the quadratic convergence of the last two steps, or where the residual is of the size of rounding. The derivatives of
+/// a Jet are one step behind its value, so it takes that step. docs/cameras.md has the number of steps.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   using std::abs;
@@ -29,9 +29,12 @@ template <typename Scalar>
     Scalar next = x - step;
     const Scalar size = abs(x);
     if (!(abs(step) > epsilon() / Scalar(2) * size)) return next;
-    if (abs(step) > last / Scalar(2) && !(last > Scalar(8) * epsilon() * size)) return x;  // rounding
+    const bool inside = low < next && next < high, slow = !(abs(step) < last / Scalar(2));
+    if ((slow || !inside) && abs(excess) <= Scalar(16) * epsilon() * abs(y)) {  // rounding
+      return inside || !std::floating_point<Scalar> ? next : x;
+    }
     const bool was_newton = newton;
-    newton = low < next && next < high && (i < 4 || abs(step) < last / Scalar(2));
+    newton = inside && (i < 4 || !slow);
     if (!newton) {
       next = middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
