@@ -30,7 +30,7 @@ template <typename Scalar>
     const Scalar size = abs(x);
     if (!(abs(step) > epsilon() / Scalar(2) * size)) return next;
     const bool inside = low < next && next < high, slow = !(abs(step) < last / Scalar(2));
-    if ((slow || !inside) && abs(excess) <= Scalar(16) * epsilon() * abs(y)) {  // rounding
+    if ((slow || !inside) && abs(excess) <= Scalar(2) * epsilon() * abs(y)) {  // rounding
       return inside || !std::floating_point<Scalar> ? next : x;
     }
     const bool was_newton = newton;
@@ -43,7 +43,7 @@ template <typename Scalar>
     const Scalar moved = abs(step);
     x = next;
     if (std::floating_point<Scalar> && was_newton && newton && moved < last &&
-        !(moved * (moved / last) * (moved / last) > epsilon() / Scalar(4) * size)) {
+        !(moved * (moved / last) > epsilon() / Scalar(4) * size)) {
       return x;
     }
     last = moved;
