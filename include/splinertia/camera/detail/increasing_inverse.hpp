@@ -28,7 +28,7 @@ template <typename Scalar>
     Scalar step = excess / slope;
     Scalar next = x - step;
     const Scalar size = abs(x);
-    if (!(abs(step) > epsilon() / Scalar(2) * size)) return next;
+    if (abs(step) <= epsilon() / Scalar(2) * size) return next;
     const bool inside = low < next && next < high, slow = !(abs(step) < last / Scalar(2));
     if ((slow || !inside) && abs(excess) <= Scalar(2) * epsilon() * abs(y)) {  // rounding
       return inside || !std::floating_point<Scalar> ? next : x;
