@@ -9,10 +9,11 @@ namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve it often enough, is replaced by a bisection. It ends where steps no longer change x, which
-/// takes at most 8 steps except close to an end at which the slope is zero.
+/// left, or does not halve it often enough, is replaced by a bisection. It ends where
+/// the residual or the step is that of rounding.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
+  const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Scalar x = start;
   Scalar last_step = high - low;
   for (int i = 0; i < 200; ++i) {
@@ -22,13 +23,16 @@ template <typename Scalar>
     if (excess == Scalar(0)) return slope > Scalar(0) ? Scalar(x - excess / slope) : x;
     (excess < Scalar(0) ? low : high) = x;  // NaN: f overflows
     Scalar next = x - excess / slope;
-    const Scalar step = next > x ? next - x : x - next;
-    if (!(low < next && next < high) || (i > 3 && step > last_step / Scalar(2))) {
+    const Scalar step = next > x ? next - x : x - next, residual = excess < Scalar(0) ? -excess : excess;
+    const bool inside = low < next && next < high;
+    if (residual <= Scalar(2) * epsilon * y) return inside ? next : x;
+    if (!inside || (i > 3 && step > last_step / Scalar(2))) {
+      if (inside && last_step <= Scalar(1024) * epsilon * x) return x;  // steps are the rounding errors of f
       next = middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
     }
     const Scalar moved = next > x ? next - x : x - next;
-    if (!(moved > std::numeric_limits<Scalar>::epsilon() / Scalar(2) * (x > Scalar(0) ? x : -x))) return next;
+    if (!(moved > epsilon / Scalar(2) * (x > Scalar(0) ? x : -x))) return next;
     last_step = moved;
     x = next;
   }
