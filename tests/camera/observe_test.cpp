@@ -170,6 +170,44 @@ TEST_CASE("Two rows that fall together are both found, or none is") {
   CHECK(at(high)[1].pixel.y() - at(high)[0].pixel.y() < 1e-4);
 }
 
+TEST_CASE("A landmark may enter the model's domain, or leave it, while the rows are read") {
+  // Its domain is a circle of 105 pixels inside the image.
+  const Pinhole narrow{150.0, 150.0, 376.0, 240.0, Equidistant{-0.3, 0.0, 0.0, 0.0}};
+  const Camera camera{narrow, size, Sophus::SE3d(), RollingShutter{delay}};
+  testing::Random random(4);
+  int entered = 0;
+  for (int i = 0; i < 400; ++i) {
+    ConstantTwist<Sophus::SE3d> motion;
+    motion.twist.tail<3>() << 2 * random.symmetric(), 20 * random.symmetric(), 2 * random.symmetric();
+    const double angle = 2 * random.symmetric();
+    const Eigen::Vector3d landmark(std::sin(angle), random.symmetric(), std::cos(angle));
+    const auto found = observe(motion, camera, landmark, 0.0);
+    INFO("landmark " << i);
+    CHECK(static_cast<int>(found.size()) == count_of_rows(motion, camera, landmark, 0.0));
+    const auto outside = [&](double row) { return !projection(motion, camera, landmark, 0, row * delay); };
+    entered += !found.empty() && (outside(0) || outside(480));
+  }
+  CHECK(entered > 10);
+}
+
+TEST_CASE("A landmark may pass close to the camera while the rows are read") {
+  const Pinhole wide{250.0, 250.0, 367.215, 248.375, Equidistant{-0.01, 0.02, -0.01, 0.001}};
+  const Camera camera{wide, size, Sophus::SE3d(), RollingShutter{delay}};
+  testing::Random random(6);
+  int seen = 0;
+  for (int i = 0; i < 500; ++i) {
+    ConstantTwist<Sophus::SE3d> motion;
+    motion.twist.head<3>() << 30 * random.symmetric(), 30 * random.symmetric(), 30 * random.symmetric();
+    const Eigen::Vector3d at_middle(0.3 * random.symmetric(), 0.3 * random.symmetric(), 0.3 * random.symmetric());
+    const Eigen::Vector3d landmark = motion.evaluate<0>(0.015).value * at_middle;
+    const auto found = observe(motion, camera, landmark, 0.0);
+    INFO("landmark " << i);
+    CHECK(static_cast<int>(found.size()) == count_of_rows(motion, camera, landmark, 0.0));
+    seen += !found.empty();
+  }
+  CHECK(seen > 30);
+}
+
 TEST_CASE("With a global shutter a landmark is seen where it is at the time of the frame") {
   const auto curve = walk<SO3xR3<double>>(0.5, 0.1);
   const Camera camera{distorted, size, T_BC};
