@@ -32,20 +32,20 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
 
 // What each scalar brings with it, as a macro because explicit instantiation is a declaration.
 #define SPLINERTIA_INSTANTIATE(Scalar)                                                                      \
-  template struct splinertia::GroupTraits<Eigen::Vector3<Scalar>>;                                     \
+  template struct splinertia::GroupTraits<Eigen::Vector3<Scalar>>;                                          \
   template struct splinertia::GroupTraits<Sophus::SO2<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SO3<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SE2<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SE3<Scalar>>;                                             \
   template struct splinertia::GroupTraits<splinertia::SO3xR3<Scalar>>;                                      \
   template struct splinertia::detail::DualMatrix3<Scalar>;                                                  \
-  template struct splinertia::ParameterLayout<Eigen::Vector3<Scalar>>;                                 \
+  template struct splinertia::ParameterLayout<Eigen::Vector3<Scalar>>;                                      \
   template struct splinertia::ParameterLayout<Sophus::SO2<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SO3<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SE2<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SE3<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<splinertia::SO3xR3<Scalar>>;                                  \
-  template class splinertia::Spline<Eigen::Vector3<Scalar>, 4>;                                        \
+  template class splinertia::Spline<Eigen::Vector3<Scalar>, 4>;                                             \
   template class splinertia::Spline<Sophus::SO2<Scalar>, 3>;                                                \
   template class splinertia::Spline<Sophus::SO3<Scalar>, 4, UniformKnots<Scalar>>;                          \
   template class splinertia::Spline<Sophus::SE2<Scalar>, 5, UniformKnots<nanoseconds>>;                     \
