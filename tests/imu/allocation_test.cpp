@@ -25,6 +25,7 @@
 #include <splinertia/errors/scale/scale_factor.hpp>
 #include <splinertia/errors/scale/temperature_scale.hpp>
 #include <splinertia/imu/errors/g_sensitivity.hpp>
+#include <splinertia/imu/errors/size_effect.hpp>
 #include <splinertia/imu/simulate.hpp>
 #include <splinertia/motion/constant_twist.hpp>
 #include <splinertia/motion/ellipse.hpp>
@@ -37,27 +38,31 @@ using testing::allocations, testing::allocations_of;
 
 namespace {
 
-/// Every term there is.
-const ErrorModel gyro{ConstantBias{0.1},
-                      TurnOnBias{0.1},
-                      RandomWalk{1e-3},
-                      GaussMarkov{0.01, 100},
-                      BiasInstability{1e-3},
-                      RateRamp{1e-5},
-                      TemperatureBias{1e-4, WarmUp{20, 60, 300}},
-                      TemperatureScale{1e-4, [](double elapsed) { return 20 + elapsed / 1000; }},
-                      ScaleFactor{0.01},
-                      Misalignment{Eigen::Matrix3d{{1, 0.01, 0}, {0, 1, 0.01}, {0, 0, 1}}},
-                      GSensitivity{Eigen::Matrix3d{{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}}},
-                      SinusoidalVibration{0.1, 120},
-                      RandomVibration{0.1, 70, 0.05},
-                      FirstOrderBandwidth{80},
-                      SecondOrderBandwidth{150, 0.7},
-                      WhiteNoise{0.01},
-                      QuantizationNoise{1e-5},
-                      Quantization{1e-3},
-                      Saturation{35}};
-const ErrorModel accel = gyro.with(ConstantBias{1});
+/// Every term there is, with one that is for a kind of sensor.
+const auto every_term = [](const auto& of_sensor) {
+  return ErrorModel{ConstantBias{0.1},
+                    TurnOnBias{0.1},
+                    RandomWalk{1e-3},
+                    GaussMarkov{0.01, 100},
+                    BiasInstability{1e-3},
+                    RateRamp{1e-5},
+                    TemperatureBias{1e-4, WarmUp{20, 60, 300}},
+                    TemperatureScale{1e-4, [](double elapsed) { return 20 + elapsed / 1000; }},
+                    ScaleFactor{0.01},
+                    Misalignment{Eigen::Matrix3d{{1, 0.01, 0}, {0, 1, 0.01}, {0, 0, 1}}},
+                    of_sensor,
+                    SinusoidalVibration{0.1, 120},
+                    RandomVibration{0.1, 70, 0.05},
+                    FirstOrderBandwidth{80},
+                    SecondOrderBandwidth{150, 0.7},
+                    WhiteNoise{0.01},
+                    QuantizationNoise{1e-5},
+                    Quantization{1e-3},
+                    Saturation{35}};
+};
+const Eigen::Matrix3d small{{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}};
+const auto gyro = every_term(GSensitivity{small});
+const auto accel = every_term(SizeEffect{small}).with(ConstantBias{1});
 const ErrorModel stamps{ClockOffset{0.003}, ClockDrift{2e-5}, StampJitter{1e-4}, DroppedSamples{0.01}};
 const Imu everything{gyro, accel, stamps};
 

@@ -32,20 +32,20 @@ using NoisyImu = Imu<ErrorModel<RandomWalk<Scalar>, WhiteNoise<Scalar>>, ErrorMo
 
 // What each scalar brings with it, as a macro because explicit instantiation is a declaration.
 #define SPLINERTIA_INSTANTIATE(Scalar)                                                                      \
-  template struct splinertia::GroupTraits<Eigen::Vector3<Scalar>>;                                     \
+  template struct splinertia::GroupTraits<Eigen::Vector3<Scalar>>;                                          \
   template struct splinertia::GroupTraits<Sophus::SO2<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SO3<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SE2<Scalar>>;                                             \
   template struct splinertia::GroupTraits<Sophus::SE3<Scalar>>;                                             \
   template struct splinertia::GroupTraits<splinertia::SO3xR3<Scalar>>;                                      \
   template struct splinertia::detail::DualMatrix3<Scalar>;                                                  \
-  template struct splinertia::ParameterLayout<Eigen::Vector3<Scalar>>;                                 \
+  template struct splinertia::ParameterLayout<Eigen::Vector3<Scalar>>;                                      \
   template struct splinertia::ParameterLayout<Sophus::SO2<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SO3<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SE2<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<Sophus::SE3<Scalar>>;                                         \
   template struct splinertia::ParameterLayout<splinertia::SO3xR3<Scalar>>;                                  \
-  template class splinertia::Spline<Eigen::Vector3<Scalar>, 4>;                                        \
+  template class splinertia::Spline<Eigen::Vector3<Scalar>, 4>;                                             \
   template class splinertia::Spline<Sophus::SO2<Scalar>, 3>;                                                \
   template class splinertia::Spline<Sophus::SO3<Scalar>, 4, UniformKnots<Scalar>>;                          \
   template class splinertia::Spline<Sophus::SE2<Scalar>, 5, UniformKnots<nanoseconds>>;                     \
@@ -157,14 +157,21 @@ TEMPLATE_TEST_CASE("A curve is as accurate as its scalar", "", float, double, lo
 
 namespace {
 
-/// Every error term that does not round or drop.
-template <typename Scalar>
+/// Every error term that does not round or drop; of those for one kind of sensor, that of a gyroscope.
+template <typename Scalar, bool of_gyro>
 auto every_term() {
   const auto per_axis = [](double size) {
     return PerAxis<Scalar>(static_cast<Scalar>(size), static_cast<Scalar>(2 * size), static_cast<Scalar>(3 * size));
   };
   const Eigen::Matrix3<Scalar> skew{{0, Scalar(0.01), Scalar(0.02)}, {Scalar(-0.01), 0, 0}, {0, 0, Scalar(0.01)}};
   const WarmUp<Scalar> warm_up(20, 60, 10);
+  const auto of_sensor = [&] {
+    if constexpr (of_gyro) {
+      return GSensitivity{Eigen::Matrix3<Scalar>(skew / 10)};
+    } else {
+      return VibrationRectification{per_axis(0.001)};
+    }
+  }();
   return ErrorModel{ConstantBias{per_axis(0.1)},
                     TurnOnBias{per_axis(0.1)},
                     RandomWalk{per_axis(0.01)},
@@ -175,7 +182,7 @@ auto every_term() {
                     TemperatureScale{per_axis(0.001), warm_up},
                     ScaleFactor{per_axis(0.01)},
                     Misalignment{Eigen::Matrix3<Scalar>(Eigen::Matrix3<Scalar>::Identity() + skew)},
-                    GSensitivity{Eigen::Matrix3<Scalar>(skew / 10)},
+                    of_sensor,
                     SinusoidalVibration{per_axis(0.1), per_axis(7)},
                     RandomVibration{per_axis(0.1), per_axis(7), per_axis(0.1)},
                     FirstOrderBandwidth{per_axis(30)},
@@ -192,7 +199,8 @@ TEMPLATE_TEST_CASE("Every error term makes of the same random numbers the same i
   using Scalar = TestType;
   const Scalar eps = std::max(std::numeric_limits<Scalar>::epsilon(), Scalar(std::numeric_limits<double>::epsilon()));
   const auto run_of = []<typename S>(const Ellipse<S>& motion) {
-    const Imu imu{every_term<S>(), every_term<S>(), ErrorModel{ClockDrift<S>{S(0.001)}, ClockOffset<S>{S(0.5)}}};
+    const Imu imu{every_term<S, true>(), every_term<S, false>(),
+                  ErrorModel{ClockDrift<S>{S(0.001)}, ClockOffset<S>{S(0.5)}}};
     return simulate(motion, imu, {.rate = 64, .seed = 1, .start = S(0), .end = S(10)});
   };
   const Ellipse<Scalar> motion;
