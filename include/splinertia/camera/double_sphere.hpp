@@ -8,6 +8,7 @@
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/shifted_sphere.hpp>
 #include <splinertia/camera/detail/symmetric_ray.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia {
 

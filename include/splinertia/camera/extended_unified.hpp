@@ -7,6 +7,7 @@
 #include <splinertia/camera/detail/blended_projection.hpp>
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/symmetric_ray.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia {
 

@@ -13,6 +13,7 @@
 #include <splinertia/camera/distortion/no_distortion.hpp>
 #include <splinertia/camera/distortion/radial_tangential.hpp>
 #include <splinertia/camera/distortion/rational.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia {
 

@@ -3,10 +3,8 @@
 /// has no branches. Both alternatives of select() are computed.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
@@ -103,24 +101,6 @@ template <typename T>
 template <typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T larger(const T& a, const T& b) {
   return select<T>(less(a, b), b, a);
-}
-
-template <typename T>
-[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T square_root(const T& x) {
-  if constexpr (is_simd_pack<T>) {
-    T y;
-    using Lanes = Eigen::Array<std::remove_cvref_t<decltype(x.vector[0][0])>, T::width, 1>;
-    for (int i = 0; i < T::vectors; ++i) {
-      Lanes lanes;
-      std::memcpy(lanes.data(), &x.vector[i], sizeof(x.vector[i]));
-      lanes = lanes.sqrt().eval();
-      std::memcpy(&y.vector[i], lanes.data(), sizeof(x.vector[i]));
-    }
-    return y;
-  } else {
-    using std::sqrt;
-    return sqrt(x);
-  }
 }
 
 /// Neither infinite nor NaN, in each lane.

@@ -38,16 +38,6 @@
 
 namespace splinertia {
 
-namespace detail {
-
-/// √x as a single instruction. std::sqrt may set errno, which keeps compilers from computing it once before a loop.
-template <typename Scalar>
-[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Scalar square_root(const Scalar& x) {
-  return Eigen::Array<Scalar, 2, 1>::Constant(x).sqrt().eval().x();
-}
-
-}  // namespace detail
-
 /// The unit of a parameter: its sensor's unit (rad/s, m/s², m …), divided by s^per_seconds, √Hz and K.
 struct SensorUnit {
   int per_seconds = 0;

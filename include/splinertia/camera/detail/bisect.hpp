@@ -2,6 +2,7 @@
 #pragma once
 
 #include <splinertia/detail/select.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia::detail {
 

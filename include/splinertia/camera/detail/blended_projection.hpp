@@ -10,6 +10,7 @@
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/detail/select.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia::detail {
 

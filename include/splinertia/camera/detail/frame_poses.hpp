@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <splinertia/camera/detail/camera_state.hpp>
-#include <splinertia/camera/detail/row_times.hpp>
+#include <splinertia/camera/detail/shutter_times.hpp>
 #include <splinertia/detail/refuse.hpp>
 #include <splinertia/motion/trajectory.hpp>
 #include <splinertia/time.hpp>
@@ -50,7 +50,7 @@ class FramePoses {
   [[nodiscard]] std::size_t intervals() const { return intervals_; }
   [[nodiscard]] const RowState<Scalar>& operator[](std::size_t i) const { return states_[i]; }
   [[nodiscard]] const Camera& camera() const { return *camera_; }
-  [[nodiscard]] const RowTimes<Scalar>& times() const { return times_; }
+  [[nodiscard]] const ShutterTimes<Scalar>& times() const { return times_; }
   [[nodiscard]] RoundedTime<Scalar, Time> time(const Scalar& row) const {
     return rounded_after<Scalar>(frame_time_, times_.offset(row));
   }
@@ -87,7 +87,7 @@ class FramePoses {
   const Curve* curve_;
   const Camera* camera_;
   Time frame_time_;
-  RowTimes<Scalar> times_;
+  ShutterTimes<Scalar> times_;
   std::size_t intervals_ = 1;
   std::array<RowState<Scalar>, most_intervals + 1> states_;
 };

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <splinertia/camera/camera.hpp>
 #include <splinertia/camera/detail/camera_state.hpp>
-#include <splinertia/camera/detail/row_times.hpp>
+#include <splinertia/camera/detail/shutter_times.hpp>
 #include <splinertia/detail/fixed_array.hpp>
 #include <splinertia/group/pose.hpp>
 #include <splinertia/motion/motion.hpp>
@@ -69,7 +69,7 @@ template <typename Scalar>
 template <typename Scalar, typename Delay, typename Stamp>
 [[nodiscard]] RowTimeSlope<Scalar> row_time_slope(const RollingShutter<Delay, Stamp>& shutter, const Scalar& row,
                                                   int height) {
-  const RowTimes<Scalar> times(shutter, height);
+  const ShutterTimes<Scalar> times(shutter, height);
   return {times.line_delay, row - times.stamp_row};
 }
 

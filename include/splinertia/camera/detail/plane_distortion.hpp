@@ -17,6 +17,7 @@
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/select.hpp>
+#include <splinertia/detail/square_root.hpp>
 #include <type_traits>
 
 namespace splinertia::detail {

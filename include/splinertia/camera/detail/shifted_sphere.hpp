@@ -9,6 +9,7 @@
 #include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/detail/select.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia::detail {
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <splinertia/camera/detail/direction_scale.hpp>
 #include <splinertia/detail/select.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia::detail {
 

@@ -13,6 +13,7 @@
 #include <splinertia/camera/detail/symmetric_ray.hpp>
 #include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia {
 

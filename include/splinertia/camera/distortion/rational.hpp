@@ -10,6 +10,7 @@
 #include <splinertia/camera/detail/first_root.hpp>
 #include <splinertia/camera/detail/plane_distortion.hpp>
 #include <splinertia/detail/require.hpp>
+#include <splinertia/detail/square_root.hpp>
 
 namespace splinertia {
 

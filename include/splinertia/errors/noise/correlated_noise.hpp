@@ -2,6 +2,7 @@
 #pragma once
 
 #include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/square_root.hpp>
 #include <splinertia/errors/detail/correlation_factor.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <splinertia/detail/inline.hpp>
+#include <splinertia/detail/square_root.hpp>
 #include <splinertia/errors/error_term.hpp>
 #include <splinertia/errors/per_axis.hpp>
 #include <string_view>

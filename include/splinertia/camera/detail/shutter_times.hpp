@@ -27,11 +27,11 @@ template <typename Scalar, TimePoint Time>
 
 /// When the rows of one frame are read. Offsets are seconds after the time of the frame.
 template <typename Scalar>
-struct RowTimes {
+struct ShutterTimes {
   Scalar stamp_row, stamp_seconds, line_delay;
 
   template <typename Delay, typename Stamp>
-  RowTimes(const RollingShutter<Delay, Stamp>& shutter, int height)
+  ShutterTimes(const RollingShutter<Delay, Stamp>& shutter, int height)
       : line_delay(static_cast<Scalar>(shutter.line_delay)) {
     const auto stamp = stamp_offset<Scalar>(shutter.stamp, line_delay, height);
     stamp_row = stamp.rows;
