@@ -85,7 +85,7 @@ template <typename Scalar>
   Vector error = residual(here);
   for (int i = 0; i < 100 && error.squaredNorm() > Scalar(0); ++i) {
     Vector step = here.by_point.inverse() * error;
-    const int most_trials = error.norm() <= rounding ? 1 : 60;
+    const int most_trials = error.norm() <= rounding ? 1 : 12;
     int trial = 0;
     for (; trial < most_trials; ++trial, step /= Scalar(2)) {
       const Vector next = m - step;
