@@ -51,3 +51,16 @@ TEST_CASE("Where the slope is zero at an end, the inverse is still found") {
     CHECK(evaluations < 64);
   }
 }
+
+TEST_CASE("A function that overflows in the interval is inverted where it does not") {
+  const auto f = [](double x, double& slope) {
+    slope = 1 + 5 * (1e308 * (x * x * x * x));  // infinite
+    return x * (1 + 1e308 * (x * x * x * x));
+  };
+  double slope;
+  for (const double y : {1e-100, 0.3, 1e10, 1e300}) {
+    const double x = increasing_inverse<double>(f, y, 0.0, 3.0, y < 3 ? y : 1.5);
+    CAPTURE(y, x);
+    CHECK(std::abs(f(x, slope) - y) <= 2e-15 * y);
+  }
+}

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <limits>
 #include <splinertia/camera/detail/bisect.hpp>
+#include <splinertia/detail/finite.hpp>
 
 namespace splinertia::detail {
 
@@ -25,7 +26,7 @@ template <typename Scalar>
     (excess < Scalar(0) ? low : high) = x;  // NaN: f overflows
     Scalar next = x - excess / slope;
     const Scalar size = x > Scalar(0) ? x : Scalar(-x), step = next > x ? next - x : x - next;
-    if (!(step > epsilon() / Scalar(2) * size)) return next;
+    if (step <= epsilon() / Scalar(2) * size && is_finite(slope)) return next;
     const bool inside = low < next && next < high;
     const bool slow = step > last_step / Scalar(2);
     const Scalar left = excess > Scalar(0) ? excess : Scalar(-excess);
