@@ -18,7 +18,7 @@ template <typename Scalar>
   constexpr auto epsilon = std::numeric_limits<Scalar>::epsilon;
   Scalar x = start;
   Scalar last_step = high - low;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 40000; ++i) {  // bisection of any interval ends before
     Scalar slope;
     const Scalar excess = evaluate(x, slope) - y;
     // The last step gives the derivatives of a Jet.
