@@ -78,10 +78,13 @@ template <typename Model>
 template <typename Model>
 [[nodiscard]] typename Model::Scalar image_radius(const Model& model, double most) {
   using Scalar = typename Model::Scalar;
-  const Scalar theta = largest_angle(model) * (1 - std::sqrt(std::numeric_limits<Scalar>::epsilon()));
-  const auto edge = model.project(at_angle<Scalar>(theta, 0));
-  REQUIRE(edge);
-  return (std::min)(static_cast<Scalar>(most), Scalar((edge->x() - model.cx()) / model.fx()));
+  const Scalar end = largest_angle(model) * (1 - std::sqrt(std::numeric_limits<Scalar>::epsilon()));
+  for (int i = 1;; ++i) {
+    const auto pixel = model.project(at_angle<Scalar>(end * static_cast<Scalar>(i) / 100, 0));
+    REQUIRE(pixel);
+    const Scalar radius = (pixel->x() - model.cx()) / model.fx();
+    if (i == 100 || radius > static_cast<Scalar>(most)) return (std::min)(static_cast<Scalar>(most), radius);
+  }
 }
 
 template <typename Model>
@@ -157,7 +160,7 @@ void check_jacobians(const Model& model, const Wide& wide, double tolerance) {
   const auto focal = static_cast<L>(pixel_unit(model));
   double by_point = 0, by_parameters = 0, by_pixel = 0;
   for (int i = 0; i < 30; ++i) {
-    const Eigen::Vector3<Scalar> point = random_direction(model, uniform, 0.8) * Scalar(2);
+    const Eigen::Vector3<Scalar> point = random_direction(model, uniform, 0.6) * Scalar(2);
     const auto p = model.template linearize<Wrt::point | Wrt::parameters>(point);
     REQUIRE(p);
     const Eigen::Vector3<L> at = point.template cast<L>();

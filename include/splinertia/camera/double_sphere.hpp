@@ -43,7 +43,8 @@ class DoubleSphereBody {
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
-    m.valid = less<T>(-(T(first_border_) * d), z) & less<T>(-(T(second_border_) * d2), t) & less<T>(T(0), denominator);
+    m.valid = both(both(less<T>(-(T(first_border_) * d), z), less<T>(-(T(second_border_) * d2), t)),
+                   less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       // The denominator's derivatives: b for x and y through d₂, by_t through t.
       const T b = alpha / d2, by_t = b * t + rest, shift = xi / d, c = b + by_t * shift;

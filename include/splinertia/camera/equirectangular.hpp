@@ -99,7 +99,8 @@ class Equirectangular {
     const T down = polar_angle<T>(horizontal, -sy) * (turn + turn);
     Projection<T, parameter_count, wrt> p;
     p.pixel = {T(width_) * across, T(height_) * down};
-    valid = (less<T>(T(0), magnitude(x)) | less<T>(T(0), magnitude(z))) & finite_lanes<T>(sx + sy + sz);
+    const T level_distance = magnitude(x) + magnitude(z);
+    valid = both(less<T>(T(0), level_distance), finite_lanes<T>(sx + sy + sz));
     if constexpr (includes(wrt, Wrt::point)) {
       const T square = lx * lx + lz * lz, radius = square_root<T>(square), ex = lx / radius, ez = lz / radius;
       const T by_longitude = T(width_) * turn * level / square;

@@ -42,7 +42,7 @@ class ExtendedUnifiedBody {
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
-    m.valid = less<T>(-(T(border_) * rho), z) & less<T>(T(0), denominator);
+    m.valid = both(less<T>(-(T(border_) * rho), z), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       const T b = alpha / rho, c = b * beta, by_z = b * z + rest;  // derivatives of the denominator: c x, c y, by_z
       const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));

@@ -41,7 +41,7 @@ struct PerspectiveBody {
     PlanePoint<T, count, wrt> m;
     m.x = d.x;
     m.y = d.y;
-    m.valid = d.valid & less<T>(T(0), z);
+    m.valid = both(d.valid, less<T>(T(0), z));
     if constexpr (includes(wrt, Wrt::point)) {
       const Eigen::Matrix2<T> D = d.by_point * (T(1) / z);
       m.by_point << D(0, 0), D(0, 1), -(D(0, 0) * u + D(0, 1) * v), D(1, 0), D(1, 1), -(D(1, 0) * u + D(1, 1) * v);
@@ -100,7 +100,8 @@ class Pinhole : public detail::FocalModel<Pinhole<Distortion>, typename detail::
 
  private:
   friend Base;
-  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const Body& body)
+  template <std::same_as<Body> B>  // no candidate for {}
+  Pinhole(const Scalar& fx, const Scalar& fy, const Scalar& cx, const Scalar& cy, const B& body)
     requires(!std::same_as<Body, Distortion>)
       : Base("Pinhole", fx, fy, cx, cy, body) {}
 };

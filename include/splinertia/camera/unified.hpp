@@ -54,7 +54,7 @@ class UnifiedBody {
     PlanePoint<T, count, wrt> m;
     m.x = distorted.x;
     m.y = distorted.y;
-    m.valid = distorted.valid & less<T>(T(0), denominator) & less<T>(-(T(border_) * d), z);
+    m.valid = both(both(distorted.valid, less<T>(T(0), denominator)), less<T>(-(T(border_) * d), z));
     if constexpr (includes(wrt, Wrt::point)) {
       const Eigen::Matrix2<T> D = distorted.by_point * scale;
       const T shift = xi / d, by_z = T(1) + shift * z;

@@ -58,6 +58,12 @@ template <typename T>
   }
 }
 
+/// Both masks are true, without a branch.
+template <typename M>
+[[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline M both(const M& a, const M& b) {
+  return a & b;
+}
+
 /// a where the mask is true, else b.
 template <typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T select(const Mask<T>& mask, const T& a, const T& b) {

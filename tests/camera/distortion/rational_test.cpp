@@ -20,7 +20,6 @@ using Model = Pinhole<Rational<Scalar>>;
 TEMPLATE_TEST_CASE("rational: projects, inverts, differentiates", "", float, double, long double) {
   testing::check_model<Model, TestType>(
       {{603.2, 603, 640.5, 359.2, 12.4, 7.1, -0.0001, 5e-05, 0.36, 12.7, 11.3, 1.95},
-       {614.8, 615.1, 638.3, 366.9, 0.51, -2.76, 0.00051, -0.00023, 1.62, 0.39, -2.57, 1.54},
        {373, 372, 256, 486, -0.39, -0.033, 0, 0, 0.001, 0.01, 0.02, 0.001}});
 }
 

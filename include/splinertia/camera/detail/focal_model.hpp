@@ -117,7 +117,8 @@ class FocalModel {
     const T fx(fx_), fy(fy_);
     Projection<T, parameter_count, wrt> p;
     p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
-    valid = m.valid & finite_lanes<T>(sx + sy + sz) & finite_lanes<T>(p.pixel.x()) & finite_lanes<T>(p.pixel.y());
+    const Mask<T> finite_pixel = both(finite_lanes<T>(p.pixel.x()), finite_lanes<T>(p.pixel.y()));
+    valid = both(both(m.valid, finite_lanes<T>(sx + sy + sz)), finite_pixel);
     if constexpr (includes(wrt, Wrt::point)) {
       p.point_jacobian.row(0) = m.by_point.row(0) * (fx * scale);
       p.point_jacobian.row(1) = m.by_point.row(1) * (fy * scale);

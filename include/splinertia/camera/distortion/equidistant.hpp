@@ -49,7 +49,7 @@ class Equidistant {
     const T square = x * x + y * y;
     // So close to the axis, θ/r is 1/z to rounding, and r² may underflow.
     const T reach = T(std::numeric_limits<Scalar>::epsilon()) * z;
-    const detail::Mask<T> near_axis = detail::less<T>(square, reach * reach) & detail::less<T>(T(0), z);
+    const detail::Mask<T> near_axis = detail::both(detail::less<T>(square, reach * reach), detail::less<T>(T(0), z));
     const T r = detail::square_root<T>(detail::select<T>(near_axis, z * z, square)), one_over_r = T(1) / r;
     const T theta = detail::select<T>(near_axis, T(0), detail::polar_angle<T>(r, z));
     const T ratio = detail::select<T>(near_axis, one_over_r, theta * one_over_r);
