@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All of splinertia except files (io/), other libraries (adapters/) and threads (parallel.hpp). Each header can also
-/// be included alone.
+/// All of splinertia except files (io/, camera/kalibr_camera.hpp), other libraries (adapters/) and threads
+/// (parallel.hpp). Each header can also be included alone.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
@@ -19,7 +19,6 @@
 #include <splinertia/allan/record/unit_check.hpp>
 #include <splinertia/allan/streaming.hpp>
 #include <splinertia/calibration/inertial_fit.hpp>
-#include <splinertia/camera/any_camera_model.hpp>
 #include <splinertia/camera/camera.hpp>
 #include <splinertia/camera/camera_model.hpp>
 #include <splinertia/camera/distortion/equidistant.hpp>
@@ -32,8 +31,6 @@
 #include <splinertia/camera/field_of_view.hpp>
 #include <splinertia/camera/image_region.hpp>
 #include <splinertia/camera/image_size.hpp>
-#include <splinertia/camera/kalibr_camera.hpp>
-#include <splinertia/camera/kalibr_mounting.hpp>
 #include <splinertia/camera/line_segment.hpp>
 #include <splinertia/camera/linearize_observation.hpp>
 #include <splinertia/camera/observation.hpp>
