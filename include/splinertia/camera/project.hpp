@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <concepts>
 #include <cstddef>
 #include <span>
 #include <splinertia/camera/camera_model.hpp>
@@ -30,10 +30,19 @@ template <typename Pack, int Row, typename Scalar>
   return pack;
 }
 
+/// A model of this library over float or double; one of the user's need not know SIMD packs.
+template <typename M, typename Pack>
+concept ProjectsPacks =
+    (std::same_as<typename M::Scalar, float> || std::same_as<typename M::Scalar, double>) &&
+    requires(const M& model, const Pack& x, Projection<Pack, M::parameter_count, Wrt::nothing>& projection) {
+      model.template project_lanes<Wrt::nothing, Pack>(x, x, x, projection);
+    };
+
 }  // namespace detail
 
 /// Projects many points, at once as many as a SIMD instruction holds. If inside[i], pixels[i] is the image of points[i].
-/// Otherwise the point is outside the domain of the model, and pixels[i] is zero. Throws std::invalid_argument unless the three spans have the same size.
+/// Otherwise the point is outside the domain of the model, and pixels[i] is zero. Throws std::invalid_argument unless the
+/// three spans have the same size.
 template <CameraModel M>
 void project(const M& model, std::type_identity_t<std::span<const Eigen::Vector3<typename M::Scalar>>> points,
              std::type_identity_t<std::span<Eigen::Vector2<typename M::Scalar>>> pixels,
@@ -44,8 +53,8 @@ void project(const M& model, std::type_identity_t<std::span<const Eigen::Vector3
                                           inside.size(), " flags, expected as many of each");
   }
   std::size_t i = 0;
-  if constexpr (std::same_as<Scalar, float> || std::same_as<Scalar, double>) {
-    using Pack = detail::NativeSimdPack<Scalar>;
+  using Pack = detail::NativeSimdPack<Scalar>;
+  if constexpr (detail::ProjectsPacks<M, Pack>) {
     constexpr auto lanes = static_cast<std::size_t>(Pack::size), width = static_cast<std::size_t>(Pack::width);
     for (; i + lanes <= points.size(); i += lanes) {
       const Eigen::Vector3<Scalar>* p = &points[i];
