@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <concepts>
 #include <optional>
 #include <splinertia/detail/cpp20.hpp>

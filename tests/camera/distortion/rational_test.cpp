@@ -18,9 +18,8 @@ using Model = Pinhole<Rational<Scalar>>;
 }  // namespace
 
 TEMPLATE_TEST_CASE("rational: projects, inverts, differentiates", "", float, double, long double) {
-  testing::check_model<Model, TestType>(
-      {{603.2, 603, 640.5, 359.2, 12.4, 7.1, -0.0001, 5e-05, 0.36, 12.7, 11.3, 1.95},
-       {373, 372, 256, 486, -0.39, -0.033, 0, 0, 0.001, 0.01, 0.02, 0.001}});
+  testing::check_model<Model, TestType>({{603.2, 603, 640.5, 359.2, 12.4, 7.1, -0.0001, 5e-05, 0.36, 12.7, 11.3, 1.95},
+                                         {373, 372, 256, 486, -0.39, -0.033, 0, 0, 0.001, 0.01, 0.02, 0.001}});
 }
 
 TEMPLATE_TEST_CASE("rational: without a denominator it is the polynomial", "", float, double, long double) {
