@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// All of splinertia except files (io/, camera/kalibr_camera.hpp), other libraries (adapters/) and threads
+/// All of splinertia except files (io/, camera/kalibr_*.hpp, any_camera_model.hpp), other libraries (adapters/) and threads
 /// (parallel.hpp). Each header can also be included alone.
 #pragma once
 

@@ -7,6 +7,7 @@
 #include <splinertia/adapters/detail/ceres_residual.hpp>
 #include <splinertia/camera/camera_model.hpp>
 #include <splinertia/camera/detail/observation_jacobians.hpp>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/spline/basis.hpp>
 #include <stdexcept>
 
@@ -56,6 +57,7 @@ class CeresReprojectionResidual final : public detail::CeresResidual<G, Order, 2
  public:
   /// `u` in [0, 1] is the relative position, in its segment of `interval` seconds, of the time at which the row of `pixel`
   /// is read for τ = 0 and d = `line_delay`. W (2 × 2) is the square root of the pixel's information, WᵀW = covariance⁻¹.
+  /// Throws std::invalid_argument unless all are finite and the interval positive.
   CeresReprojectionResidual(double u, double interval, double rows, double line_delay, const Eigen::Vector2d& pixel,
                             const Eigen::Matrix2d& square_root_information, const Landmark& landmark = {})
       : Base({7, Landmark::parameters, 1, 1, Model::parameter_count}),
@@ -65,7 +67,15 @@ class CeresReprojectionResidual final : public detail::CeresResidual<G, Order, 2
         line_delay_(line_delay),
         pixel_(pixel),
         weight_(square_root_information),
-        landmark_(landmark) {}
+        landmark_(landmark) {
+    const char* const name = "CeresReprojectionResidual";
+    detail::require_finite(name, "u", u);
+    detail::require_positive(name, "interval", interval);
+    detail::require_finite(name, "rows", rows);
+    detail::require_finite(name, "line_delay", line_delay);
+    detail::require_all_finite(name, "pixel", pixel);
+    for (Eigen::Index i = 0; i < 4; ++i) detail::require_finite(name, "square_root_information", weight_.coeff(i));
+  }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     double const* const* others = parameters + Base::control_point_blocks;

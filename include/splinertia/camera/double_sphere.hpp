@@ -39,18 +39,20 @@ class DoubleSphereBody {
   template <Wrt wrt, typename T>
   [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline PlanePoint<T, count, wrt> map(const T& x, const T& y,
                                                                               const T& z) const {
-    const T xi(xi_), alpha(alpha_), rest = T(1) - alpha, square = x * x + y * y;
-    const T d = square_root<T>(square + z * z), t = z + xi * d, d2 = square_root<T>(square + t * t);
-    const T denominator = alpha * d2 + rest * t, scale = T(1) / denominator;
+    const T xi(xi_), alpha(alpha_), square = x * x + y * y, d = square_root<T>(square + z * z);
+    const BlendedLength<T> shifted(xi, T(1), square, z, d);
+    const T t = shifted.value(), d2 = square_root<T>(square + t * t);
+    const BlendedLength<T> blended(alpha, T(1) - alpha, square, t, d2);
+    const T denominator = blended.value(), scale = T(1) / denominator;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
     const Mask<T> first = less<T>(-(T(first_border_) * d), z), second = less<T>(-(T(second_border_) * d2), t);
     m.valid = both<T>(both<T>(first, second), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
-      // The denominator's derivatives: b for x and y through d₂, by_t through t.
-      const T b = alpha / d2, by_t = b * t + rest, shift = xi / d, c = b + by_t * shift;
-      const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y)), by_z = by_t * (T(1) + shift * z);
+      // The denominator's derivatives: α/d₂ for x and y through d₂, by_t through t.
+      const T by_t = blended.slope(), c = alpha / d2 + by_t * (xi / d), by_z = by_t * shifted.slope();
+      const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));
       m.by_point(0, 0) = scale - mx * (c * x);
       m.by_point(0, 1) = across;
       m.by_point(0, 2) = -(mx * by_z);
@@ -59,7 +61,7 @@ class DoubleSphereBody {
       m.by_point(1, 2) = -(my * by_z);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      const T by_xi = d * (alpha * (t / d2) + rest), by_alpha = difference_of_length<T>(square, t, d2);
+      const T by_xi = d * blended.slope(), by_alpha = difference_of_length<T>(square, t, d2);
       m.by_parameters(0, 0) = -(m.x * (by_xi * scale));
       m.by_parameters(0, 1) = -(m.x * (by_alpha * scale));
       m.by_parameters(1, 0) = -(m.y * (by_xi * scale));

@@ -7,6 +7,7 @@
 #include <splinertia/camera/kalibr_camera.hpp>
 #include <splinertia/camera/shutter.hpp>
 #include <splinertia/detail/refuse.hpp>
+#include <splinertia/detail/require.hpp>
 #include <splinertia/group/sophus.hpp>
 #include <stdexcept>
 
@@ -16,9 +17,11 @@ namespace splinertia {
 /// 0 0 0 1, all numbers are finite and the rotation is orthogonal to 1e-4.
 template <typename Scalar = double>
 [[nodiscard]] Sophus::SE3<Scalar> pose_of_matrix(const Eigen::Matrix4d& T) {
+  detail::require_all_finite("pose_of_matrix", "the matrix, column by column",
+                             Eigen::Map<const Eigen::Matrix<double, 16, 1>>(T.data()));
   const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
   const double deviation = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!T.allFinite() || !(deviation < 1e-4) || !(R.determinant() > 0)) {
+  if (!(deviation < 1e-4) || !(R.determinant() > 0)) {
     detail::refuse<std::invalid_argument>("pose_of_matrix: a rotation has the determinant ", R.determinant(),
                                           " and deviates from an orthogonal matrix by ", deviation,
                                           ", expected 1 and at most 0.0001");

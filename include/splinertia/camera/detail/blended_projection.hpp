@@ -33,6 +33,30 @@ template <typename T>
   return select<T>(forward, square / sum, sum);
 }
 
+/// a length + b z, where length = sqrt(square + z²), and its derivative by z. Behind (z < 0) both terms nearly cancel if a
+/// and b are similar. There it is a (length + z) + (b − a) z, with length + z = square / (length − z).
+template <typename T>
+struct BlendedLength {
+  T a, b, z, length, sum;
+  Mask<T> behind;
+
+  SPLINERTIA_ALWAYS_INLINE inline BlendedLength(const T& a_, const T& b_, const T& square, const T& z_,
+                                                const T& length_)
+      : a(a_),
+        b(b_),
+        z(z_),
+        length(length_),
+        sum(difference_of_length<T>(square, -z_, length_)),
+        behind(less<T>(z_, T(0))) {}
+
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T value() const {
+    return select<T>(behind, a * sum + (b - a) * z, a * length + b * z);
+  }
+  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T slope() const {
+    return select<T>(behind, a * (sum / length) + (b - a), a * (z / length) + b);
+  }
+};
+
 /// α z / sqrt(square + z²) + 1 − α, without cancellation up to α = 1/2.
 template <typename Scalar>
 [[nodiscard]] Scalar blend_slope(const Scalar& alpha, const Scalar& square, const Scalar& z) {

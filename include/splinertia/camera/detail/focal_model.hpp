@@ -89,9 +89,9 @@ class FocalModel {
 
   /// The ray, of length 1, of the points that have this pixel. Nothing outside the image of the domain.
   [[nodiscard]] std::optional<Eigen::Vector3<Scalar>> unproject(const Eigen::Vector2<Scalar>& pixel) const {
-    if (!is_finite(pixel.x()) || !is_finite(pixel.y())) return std::nullopt;
-    const std::optional<Eigen::Vector3<Scalar>> ray =
-        body_.unmap(Scalar((pixel.x() - cx_) / fx_), Scalar((pixel.y() - cy_) / fy_));
+    const Scalar x = (pixel.x() - cx_) / fx_, y = (pixel.y() - cy_) / fy_;
+    if (!is_finite(x) || !is_finite(y)) return std::nullopt;
+    const std::optional<Eigen::Vector3<Scalar>> ray = body_.unmap(x, y);
     if (!ray) return std::nullopt;
     const Eigen::Vector3<Scalar> scaled = *ray * direction_scale<Scalar>(ray->x(), ray->y(), ray->z());
     return scaled / square_root<Scalar>(scaled.squaredNorm());

@@ -42,7 +42,7 @@ class RowSearch {
   [[nodiscard]] Result run() {
     Sample a = sample(poses_[0]);
     if (a.valid && a.excess == Scalar(0)) {
-      emit(a, Scalar(0));
+      record(a, Scalar(0));
       const Scalar small = (std::numeric_limits<Scalar>::min)();
       a.excess = a.slope < Scalar(0) ? -small : small;
     }
@@ -79,7 +79,7 @@ class RowSearch {
   [[nodiscard]] Sample sample(const Scalar& row) const { return sample(poses_.at(row)); }
 
   void search(const Sample& a, const Sample& b, int splits) {
-    if (splits < 6 && moves_far(a, b)) return halve(a, b, splits);
+    if (splits < 12 && moves_far(a, b)) return halve(a, b, splits);
     if (a.valid && b.valid) return isolate(a, b, splits);
     if (a.valid || b.valid) {
       const bool forward = a.valid;
@@ -165,18 +165,18 @@ class RowSearch {
       // What is left after this step, from the second derivatives of the pixel.
       const Scalar left = (curvature + s.slides.squaredNorm() / height_) * step * step;
       if (left <= resolution / Scalar(4) * abs(s.slope) || high - low <= resolution) {
-        return emit(s, high - low <= resolution ? Scalar(0) : step);
+        return record(s, high - low <= resolution ? Scalar(0) : step);
       }
       ((s.excess < Scalar(0)) == rises ? low : high) = row;
       row += step;
       if (!(low <= row && row <= high) || i % 4 == 3) row = low + (high - low) / Scalar(2);
     }
     const Sample s = sample(row);
-    if (s.valid) emit(s, Scalar(0));
+    if (s.valid) record(s, Scalar(0));
   }
 
   /// Notes the solution `step` rows after s, if it is in the image.
-  void emit(const Sample& s, const Scalar& step) {
+  void record(const Sample& s, const Scalar& step) {
     const Scalar row = s.row + step;
     const Eigen::Vector2<Scalar> pixel(s.pixel.x() + s.slides.x() * step, row);
     if (!poses_.camera().sees(pixel)) return;
