@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// All of splinertia except files (io/, camera/kalibr_*.hpp, any_camera_model.hpp), other libraries (adapters/) and threads
-/// (parallel.hpp). Each header can also be included alone.
+/// All of splinertia except files (io/, camera/kalibr_*.hpp, camera/any_camera_model.hpp), other libraries (adapters/)
+/// and threads (parallel.hpp). Each header can also be included alone.
 #pragma once
 
 #include <splinertia/detail/cpp20.hpp>
