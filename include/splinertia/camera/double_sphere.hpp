@@ -41,9 +41,9 @@ class DoubleSphereBody {
                                                                               const T& z) const {
     const T xi(xi_), alpha(alpha_), square = x * x + y * y, d = square_root<T>(square + z * z);
     const BlendedLength<T> shifted(xi, T(1), square, z, d);
-    const T t = shifted.value(), d2 = square_root<T>(square + t * t);
+    const T t = shifted.value, d2 = square_root<T>(square + t * t);
     const BlendedLength<T> blended(alpha, T(1) - alpha, square, t, d2);
-    const T denominator = blended.value(), scale = T(1) / denominator;
+    const T denominator = blended.value, scale = T(1) / denominator;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
@@ -51,7 +51,7 @@ class DoubleSphereBody {
     m.valid = both<T>(both<T>(first, second), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       // The denominator's derivatives: α/d₂ for x and y through d₂, by_t through t.
-      const T by_t = blended.slope(), c = alpha / d2 + by_t * (xi / d), by_z = by_t * shifted.slope();
+      const T by_t = blended.slope, c = alpha / d2 + by_t * (xi / d), by_z = by_t * shifted.slope;
       const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));
       m.by_point(0, 0) = scale - mx * (c * x);
       m.by_point(0, 1) = across;
@@ -61,7 +61,7 @@ class DoubleSphereBody {
       m.by_point(1, 2) = -(my * by_z);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      const T by_xi = d * blended.slope(), by_alpha = difference_of_length<T>(square, t, d2);
+      const T by_xi = d * blended.slope, by_alpha = difference_of_length<T>(square, t, d2);
       m.by_parameters(0, 0) = -(m.x * (by_xi * scale));
       m.by_parameters(0, 1) = -(m.x * (by_alpha * scale));
       m.by_parameters(1, 0) = -(m.y * (by_xi * scale));

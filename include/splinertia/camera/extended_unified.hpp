@@ -40,13 +40,13 @@ class ExtendedUnifiedBody {
                                                                               const T& z) const {
     const T alpha(alpha_), beta(beta_), square = x * x + y * y, rho = square_root<T>(beta * square + z * z);
     const BlendedLength<T> blended(alpha, T(1) - alpha, beta * square, z, rho);
-    const T denominator = blended.value(), scale = T(1) / denominator;
+    const T denominator = blended.value, scale = T(1) / denominator;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
     m.valid = both<T>(less<T>(-(T(border_) * rho), z), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
-      const T c = alpha / rho * beta, by_z = blended.slope();  // derivatives of the denominator: c x, c y, by_z
+      const T c = alpha / rho * beta, by_z = blended.slope;  // derivatives of the denominator: c x, c y, by_z
       const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));
       m.by_point(0, 0) = scale - mx * (c * x);
       m.by_point(0, 1) = across;

@@ -52,7 +52,7 @@ class UnifiedBody {
                                                                               const T& z) const {
     const T xi(xi_), square = x * x + y * y, d = square_root<T>(square + z * z);
     const BlendedLength<T> shifted(xi, T(1), square, z, d);
-    const T denominator = shifted.value(), scale = T(1) / denominator, u = x * scale, v = y * scale;
+    const T denominator = shifted.value, scale = T(1) / denominator, u = x * scale, v = y * scale;
     constexpr Wrt needed = wrt == Wrt::nothing ? wrt : wrt | Wrt::point;
     const auto distorted = distortion_.template distort<needed, T>(u, v);
     PlanePoint<T, count, wrt> m;
@@ -61,7 +61,7 @@ class UnifiedBody {
     m.valid = both<T>(both<T>(distorted.valid, less<T>(T(0), denominator)), less<T>(-(T(border_) * d), z));
     if constexpr (includes(wrt, Wrt::point)) {
       const Eigen::Matrix2<T> D = distorted.by_point * scale;
-      const T shift = xi / d, by_z = shifted.slope();
+      const T shift = xi / d, by_z = shifted.slope;
       const T along_x = D(0, 0) * u + D(0, 1) * v, along_y = D(1, 0) * u + D(1, 1) * v;
       const T cx = shift * x, cy = shift * y;
       m.by_point(0, 0) = D(0, 0) - along_x * cx;

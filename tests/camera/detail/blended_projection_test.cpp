@@ -42,8 +42,8 @@ TEMPLATE_TEST_CASE("a blend of length and depth does not cancel behind", "", flo
       const L s = static_cast<L>(x) * static_cast<L>(x), h = std::sqrt(s + static_cast<L>(z) * static_cast<L>(z));
       const L plus = z < 0 ? s / (h - static_cast<L>(z)) : h + static_cast<L>(z), la = a, lb = b;
       const L value = la * plus + (lb - la) * static_cast<L>(z), slope = la * plus / h + (lb - la);
-      CHECK(std::abs(static_cast<L>(blend.value()) - value) <= 6 * eps * std::abs(value));
-      CHECK(std::abs(static_cast<L>(blend.slope()) - slope) <= 6 * eps * std::abs(slope));
+      CHECK(std::abs(static_cast<L>(blend.value) - value) <= 6 * eps * std::abs(value));
+      CHECK(std::abs(static_cast<L>(blend.slope) - slope) <= 6 * eps * std::abs(slope));
     }
   }
 }

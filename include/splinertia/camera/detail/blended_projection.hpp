@@ -37,23 +37,22 @@ template <typename T>
 /// and b are similar. There it is a (length + z) + (b − a) z, with length + z = square / (length − z).
 template <typename T>
 struct BlendedLength {
-  T a, b, z, length, sum;
-  Mask<T> behind;
+  T value, slope;
 
-  SPLINERTIA_ALWAYS_INLINE inline BlendedLength(const T& a_, const T& b_, const T& square, const T& z_,
-                                                const T& length_)
-      : a(a_),
-        b(b_),
-        z(z_),
-        length(length_),
-        sum(difference_of_length<T>(square, -z_, length_)),
-        behind(less<T>(z_, T(0))) {}
-
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T value() const {
-    return select<T>(behind, a * sum + (b - a) * z, a * length + b * z);
-  }
-  [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline T slope() const {
-    return select<T>(behind, a * (sum / length) + (b - a), a * (z / length) + b);
+  SPLINERTIA_ALWAYS_INLINE inline BlendedLength(const T& a, const T& b, const T& square, const T& z, const T& length) {
+    if constexpr (is_simd_pack<T>) {
+      const Mask<T> behind = less<T>(z, T(0));
+      const T sum = square / (length - z);  // of use behind only
+      value = select<T>(behind, a * sum + (b - a) * z, a * length + b * z);
+      slope = select<T>(behind, a * (sum / length) + (b - a), a * (z / length) + b);
+    } else if (z < T(0)) {
+      const T sum = square / (length - z);
+      value = a * sum + (b - a) * z;
+      slope = a * (sum / length) + (b - a);
+    } else {
+      value = a * length + b * z;
+      slope = a * (z / length) + b;
+    }
   }
 };
 
