@@ -43,7 +43,7 @@ class DoubleSphereBody {
     const BlendedLength<T> shifted(xi, T(1), square, z, d);
     const T t = shifted.value, d2 = square_root<T>(square + t * t);
     const BlendedLength<T> blended(alpha, T(1) - alpha, square, t, d2);
-    const T denominator = blended.value, scale = T(1) / denominator;
+    const T denominator = blended.value, scale = T(1) / denominator, minus = -scale;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
@@ -52,20 +52,20 @@ class DoubleSphereBody {
     if constexpr (includes(wrt, Wrt::point)) {
       // The denominator's derivatives: α/d₂ for x and y through d₂, by_t through t.
       const T by_t = blended.slope, c = alpha / d2 + by_t * (xi / d), by_z = by_t * shifted.slope;
-      const T mx = m.x * scale, my = m.y * scale, across = -(mx * (c * y));
-      m.by_point(0, 0) = scale - mx * (c * x);
+      const T mx = m.x * minus, my = m.y * minus, across = mx * (c * y);
+      m.by_point(0, 0) = scale + mx * (c * x);
       m.by_point(0, 1) = across;
-      m.by_point(0, 2) = -(mx * by_z);
+      m.by_point(0, 2) = mx * by_z;
       m.by_point(1, 0) = across;
-      m.by_point(1, 1) = scale - my * (c * y);
-      m.by_point(1, 2) = -(my * by_z);
+      m.by_point(1, 1) = scale + my * (c * y);
+      m.by_point(1, 2) = my * by_z;
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      const T by_xi = d * blended.slope, by_alpha = difference_of_length<T>(square, t, d2);
-      m.by_parameters(0, 0) = -(m.x * (by_xi * scale));
-      m.by_parameters(0, 1) = -(m.x * (by_alpha * scale));
-      m.by_parameters(1, 0) = -(m.y * (by_xi * scale));
-      m.by_parameters(1, 1) = -(m.y * (by_alpha * scale));
+      const T by_xi = minus * (d * blended.slope), by_alpha = minus * difference_of_length<T>(square, t, d2);
+      m.by_parameters(0, 0) = m.x * by_xi;
+      m.by_parameters(0, 1) = m.x * by_alpha;
+      m.by_parameters(1, 0) = m.y * by_xi;
+      m.by_parameters(1, 1) = m.y * by_alpha;
     }
     return m;
   }

@@ -140,8 +140,10 @@ class FocalModel {
       if (!(square > smallest_square<Scalar>() && square < Scalar(1) / smallest_square<Scalar>())) {
         return project_extreme(point, p);
       }
+      return project_scaled<wrt, Scalar>(x, y, z, p);
+    } else {
+      return project_scaled<wrt, Scalar>(x, y, z, p) && is_finite(z);
     }
-    return project_scaled<wrt, Scalar>(x, y, z, p) && is_finite(z);
   }
   template <Wrt wrt>
   [[nodiscard]] SPLINERTIA_COLD bool project_extreme(const Eigen::Vector3<Scalar>& point,
