@@ -157,7 +157,8 @@ class FocalModel {
     const auto m = body_.template map<wrt, T>(x, y, z);
     const T fx(fx_), fy(fy_);
     p.pixel = {fx * m.x + T(cx_), fy * m.y + T(cy_)};
-    if constexpr (includes(wrt, Wrt::point)) scale_rows<0>(m.by_point, p.point_jacobian, std::make_index_sequence<3>{});
+    if constexpr (includes(wrt, Wrt::point))
+      scale_rows<0>(m.by_point, p.point_jacobian, std::make_integer_sequence<int, 3>{});
     if constexpr (includes(wrt, Wrt::parameters)) {
       constexpr int before = Body::leading, behind = Body::count - before;
       auto& J = p.parameter_jacobian;
@@ -165,21 +166,20 @@ class FocalModel {
       set_column<before + 1>(J, T(0), m.y);
       set_column<before + 2>(J, T(1), T(0));
       set_column<before + 3>(J, T(0), T(1));
-      if constexpr (before > 0) scale_rows<0>(m.by_parameters, J, std::make_index_sequence<before>{});
-      if constexpr (behind > 0) scale_rows<4, before>(m.by_parameters, J, std::make_index_sequence<behind>{});
+      if constexpr (before > 0) scale_rows<0>(m.by_parameters, J, std::make_integer_sequence<int, before>{});
+      if constexpr (behind > 0) scale_rows<4, before>(m.by_parameters, J, std::make_integer_sequence<int, behind>{});
     }
     return both<T>(m.valid, finite_lanes<T>(p.pixel.x() + p.pixel.y()));
   }
 
   // The columns from First on are multiplied by the focal lengths and stored Shift columns further right. Constant
   // indices keep matrices in registers.
-  template <int Shift, int First = 0, std::size_t... Column>
-  SPLINERTIA_ALWAYS_INLINE inline void scale_rows(const auto& from, auto& to, std::index_sequence<Column...>) const {
+  template <int Shift, int First = 0, int... Column>
+  SPLINERTIA_ALWAYS_INLINE inline void scale_rows(const auto& from, auto& to,
+                                                  std::integer_sequence<int, Column...>) const {
     using T = std::remove_cvref_t<decltype(to(0, 0))>;
     const T fx(fx_), fy(fy_);
-    (set_column<Shift + First + static_cast<int>(Column)>(to, T(fx * from(0, First + static_cast<int>(Column))),
-                                                          T(fy * from(1, First + static_cast<int>(Column)))),
-     ...);
+    (set_column<Shift + First + Column>(to, T(fx * from(0, First + Column)), T(fy * from(1, First + Column))), ...);
   }
   template <int Column, typename T>
   SPLINERTIA_ALWAYS_INLINE static inline void set_column(auto& matrix, const T& u, const T& v) {
