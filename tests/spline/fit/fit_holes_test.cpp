@@ -103,9 +103,10 @@ void check_rest(const Poses& poses, std::size_t gaps) {
 }  // namespace
 
 TEST_CASE("Holes beside each other, with one pose between them, and near the ends") {
-  check_rest(poses_of(rest, {{2, 2.5}, {2.5, 3}}), 2);
-  check_rest(poses_of(rest, {{2, 2.5}, {2.5, 3}, {3, 4}}), 3);
-  check_rest(poses_of(rest, {{1.5, 2.5}, {2.525, 3}, {3.05, 4}, {4.1, 5}}), 4);
+  // A few poses between two holes belong to them.
+  check_rest(poses_of(rest, {{2, 2.5}, {2.5, 3}}), 1);
+  check_rest(poses_of(rest, {{2, 2.5}, {2.5, 3}, {3, 4}}), 1);
+  check_rest(poses_of(rest, {{1.5, 2.5}, {2.525, 3}, {3.05, 4}, {4.1, 5}}), 3);
   check_rest(poses_of(rest, {{0, 1}}), 1);
   check_rest(poses_of(rest, {{length - 1, length}}), 1);
   check_rest(poses_of(rest, {{0, 2}, {2, length}}), 0);  // of three poses, seconds are usual
