@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the picture of docs/cameras.md, which camera_models_plot.py draws: lines of equal angle and of equal
-// direction in the images of all models. With --steps: how many Newton steps the inverses take.
+// direction in the images of all models. With --steps: how many Newton steps the inverses take. With --round-trip: how far
+// a pixel is from the projection of its ray.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <random>
 #include <splinertia/camera/double_sphere.hpp>
 #include <splinertia/camera/equirectangular.hpp>
@@ -15,6 +18,7 @@
 #include <splinertia/camera/unified.hpp>
 #include <splinertia/detail/pi.hpp>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 using namespace splinertia;
@@ -181,6 +185,67 @@ void print_steps() {
   count_equidistant("pinhole-equi", 0.02);
 }
 
+/// The largest |project(unproject(pixel)) − pixel| of random pixels up to a radius of `most` focal lengths from the
+/// centre, or to the end of the domain, in eps of the focal length.
+template <CameraModel Model>
+double round_trip(const Model& model, double most) {
+  using Scalar = typename Model::Scalar;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  double worst = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    const double r = most * std::sqrt(uniform(random)), azimuth = 360 * degree * uniform(random);
+    const Eigen::Vector2<Scalar> pixel(model.cx() + static_cast<Scalar>(r * std::cos(azimuth)) * model.fx(),
+                                       model.cy() + static_cast<Scalar>(r * std::sin(azimuth)) * model.fy());
+    const auto ray = model.unproject(pixel);
+    const auto again = ray ? model.project(*ray) : std::nullopt;
+    if (again) worst = std::max(worst, static_cast<double>((*again - pixel).norm() / model.fx()));
+  }
+  return worst / static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+}
+
+void print_round_trips() {
+  std::puts("largest error of 10^6 pixels [eps f]  to f: float   double     to 2 f: float   double");
+  const auto print = [](const auto& single, const auto& model) {
+    std::printf("%-36s %9.2f %8.2f %14.2f %8.2f\n", std::remove_cvref_t<decltype(model)>::name, round_trip(single, 1),
+                round_trip(model, 1), round_trip(single, 2), round_trip(model, 2));
+  };
+  const auto each = [&](const auto& make) { print(make(0.0F), make(0.0)); };
+  each([](auto zero) {
+    using S = decltype(zero);
+    return Pinhole<NoDistortion<S>>(460, 460, 320, 240, {});
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return Pinhole(S(458), S(457), S(367), S(248), RadialTangential(S(-0.283), S(0.074), S(2e-4), S(2e-5)));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return Pinhole(S(603), S(603), S(640), S(359),
+                   Rational(S(12.4), S(7.1), S(-1e-4), S(5e-5), S(0.36), S(12.7), S(11.3), S(1.95)));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return Pinhole(S(191), S(191), S(255), S(257), Equidistant(S(3.5e-3), S(7e-4), S(-2e-3), S(2e-4)));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return Unified(S(1.2), S(750), S(750), S(320), S(240), RadialTangential(S(-0.2), S(0.05), S(1e-4), S(1e-4)));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return DoubleSphere<S>(158, 158, 254, 256, S(-0.172), S(0.593));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return ExtendedUnified<S>(191, 191, 256, 256, S(0.63), S(1.04));
+  });
+  each([](auto zero) {
+    using S = decltype(zero);
+    return FieldOfView<S>(190, 190, 256, 256, S(0.93));
+  });
+}
+
 void print_picture() {
   std::puts("panel,kind,value,u,v");
   const double cx = 256, cy = 256;
@@ -200,8 +265,11 @@ void print_picture() {
 
 int main(int argc, char** argv) {
   CLI::App app{"Lines of equal angle in the images of all camera models, as CSV."};
-  bool steps = false;
+  bool steps = false, round_trips = false;
   app.add_flag("--steps", steps, "print how many Newton steps inverses take");
+  app.add_flag("--round-trip", round_trips, "print how far pixels are from the projections of their rays");
   CLI11_PARSE(app, argc, argv);
-  steps ? print_steps() : print_picture();
+  if (steps) print_steps();
+  if (round_trips) print_round_trips();
+  if (!steps && !round_trips) print_picture();
 }

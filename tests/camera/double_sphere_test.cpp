@@ -27,14 +27,7 @@ TEMPLATE_TEST_CASE("double sphere: the domain is the image of the inverse", "", 
       const Scalar step(1e-3F);
       CHECK(model.project(at_angle<Scalar>(end - step, 1)));
       if (end + step < Scalar(3.14)) CHECK_FALSE(model.project(at_angle<Scalar>(end + step, 1)));
-      // One-to-one: the radius grows all the way.
-      Scalar last(-1);
-      for (Scalar theta = 0; theta < end - step; theta += step) {
-        const auto pixel = model.project(at_angle<Scalar>(theta, 0));
-        REQUIRE(pixel);
-        REQUIRE(pixel->x() > last);
-        last = pixel->x();
-      }
+      testing::check_radius_grows(model, end);
       if (alpha > Scalar(0.5) && xi <= 0) {
         const Scalar border = 300 / std::sqrt(2 * alpha - 1);
         CHECK(model.unproject({320 + border * (1 - step), 240}));

@@ -29,13 +29,7 @@ TEMPLATE_TEST_CASE("extended unified: the image is one-to-one up to the largest 
       const Scalar end = model.largest_angle(), step(1e-3F);
       INFO("alpha " << alpha << ", beta " << beta << ", end " << end);
       if (end + step < Scalar(3.14)) CHECK_FALSE(model.project(at_angle<Scalar>(end + step, 1)));
-      Scalar last(-1);
-      for (Scalar theta = 0; theta < end - step; theta += step) {
-        const auto pixel = model.project(at_angle<Scalar>(theta, 0));
-        REQUIRE(pixel);
-        REQUIRE(pixel->x() > last);
-        last = pixel->x();
-      }
+      testing::check_radius_grows(model, end);
       if (alpha > Scalar(0.5)) {
         const Scalar border = 300 / std::sqrt(beta * (2 * alpha - 1));
         CHECK(model.unproject({320 + border * (1 - step), 240}));

@@ -239,6 +239,20 @@ void check_extremes(const Model& model) {
   }
 }
 
+/// One-to-one: the radius in the image grows with the angle from the axis, all the way to `end`.
+template <typename Model>
+void check_radius_grows(const Model& model, typename Model::Scalar end) {
+  using Scalar = typename Model::Scalar;
+  const Scalar step(1e-3F);
+  Scalar last(-1);
+  for (Scalar theta = 0; theta < end - step; theta += step) {
+    const auto pixel = model.project(at_angle<Scalar>(theta, 0));
+    REQUIRE(pixel);
+    REQUIRE(pixel->x() > last);
+    last = pixel->x();
+  }
+}
+
 /// Each lane of a SIMD pack has the pixel, the Jacobians and the validity of the same point alone.
 template <typename Model>
 void check_lanes(const Model& model) {

@@ -12,7 +12,9 @@ using splinertia::detail::ShutterTimes;
 TEMPLATE_TEST_CASE("The stamp of a frame is the time of the row that the type says", "", float, double, long double) {
   using Scalar = TestType;
   const Scalar delay = Scalar(1) / 1024, back = -delay;
-  const auto offset = [](const auto& shutter, int row) { return ShutterTimes<Scalar>(shutter, 481).offset(Scalar(row)); };
+  const auto offset = [](const auto& shutter, int row) {
+    return ShutterTimes<Scalar>(shutter, 481).offset(Scalar(row));
+  };
   CHECK(offset(RollingShutter{delay}, 0) == 0);
   CHECK(offset(RollingShutter{delay}, 480) == 480 * delay);
   CHECK(offset(RollingShutter{delay, MiddleRow{}}, 240) == 0);

@@ -37,13 +37,7 @@ TEMPLATE_TEST_CASE("unified: the image is one-to-one up to the largest angle", "
     const Scalar end = model.largest_angle();
     INFO(model.parameters().transpose() << ", end " << end);
     if (end + step < Scalar(3.14)) CHECK_FALSE(model.project(at_angle<Scalar>(end + step, 1)));
-    Scalar last(-1);
-    for (Scalar theta = 0; theta < end - step; theta += step) {
-      const auto pixel = model.project(at_angle<Scalar>(theta, 0));
-      REQUIRE(pixel);
-      REQUIRE(pixel->x() > last);
-      last = pixel->x();
-    }
+    testing::check_radius_grows(model, end);
   };
   for (const Scalar xi : {Scalar(-0.5), Scalar(0), Scalar(0.6), Scalar(1), Scalar(1.6), Scalar(4)}) {
     check(Plain<Scalar>(xi, 300, 310, 320, 240, {}));

@@ -62,6 +62,9 @@ struct ParameterJacobian<Scalar, Parameters, true> {
 template <typename Scalar, int Parameters, Wrt wrt>
 struct Projection : detail::PointJacobian<Scalar, includes(wrt, Wrt::point)>,
                     detail::ParameterJacobian<Scalar, Parameters, includes(wrt, Wrt::parameters)> {
+  static_assert(
+      (wrt | Wrt::point | Wrt::parameters) == (Wrt::point | Wrt::parameters),
+      "a camera model differentiates by Wrt::point and Wrt::parameters; linearize_observation() does by the rest");
   Projection() {}  // = default would fill all matrices with zeros first
   Eigen::Vector2<Scalar> pixel;
 };

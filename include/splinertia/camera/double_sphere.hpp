@@ -43,7 +43,7 @@ class DoubleSphereBody {
     const BlendedLength<T> shifted(xi, T(1), square, z, d);
     const T t = shifted.value, d2 = square_root<T>(square + t * t);
     const BlendedLength<T> blended(alpha, T(1) - alpha, square, t, d2);
-    const T denominator = blended.value, scale = T(1) / denominator, minus = -scale;
+    const T denominator = blended.value, scale = T(1) / denominator;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
@@ -51,21 +51,11 @@ class DoubleSphereBody {
     m.valid = both<T>(both<T>(first, second), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
       // The denominator's derivatives: α/d₂ for x and y through d₂, by_t through t.
-      const T by_t = blended.slope, c = alpha / d2 + by_t * (xi / d), by_z = by_t * shifted.slope;
-      const T mx = m.x * minus, my = m.y * minus, across = mx * (c * y);
-      m.by_point(0, 0) = scale + mx * (c * x);
-      m.by_point(0, 1) = across;
-      m.by_point(0, 2) = mx * by_z;
-      m.by_point(1, 0) = across;
-      m.by_point(1, 1) = scale + my * (c * y);
-      m.by_point(1, 2) = my * by_z;
+      const T by_t = blended.slope, c = alpha / d2 + by_t * (xi / d);
+      set_quotient_jacobian<T>(m, x, y, scale, c, by_t * shifted.slope);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      const T by_xi = minus * (d * blended.slope), by_alpha = minus * difference_of_length<T>(square, t, d2);
-      m.by_parameters(0, 0) = m.x * by_xi;
-      m.by_parameters(0, 1) = m.x * by_alpha;
-      m.by_parameters(1, 0) = m.y * by_xi;
-      m.by_parameters(1, 1) = m.y * by_alpha;
+      set_quotient_parameters<T>(m, scale, d * blended.slope, difference_of_length<T>(square, t, d2));
     }
     return m;
   }

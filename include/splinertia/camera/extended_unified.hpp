@@ -40,28 +40,17 @@ class ExtendedUnifiedBody {
                                                                               const T& z) const {
     const T alpha(alpha_), beta(beta_), square = x * x + y * y, rho = square_root<T>(beta * square + z * z);
     const BlendedLength<T> blended(alpha, T(1) - alpha, beta * square, z, rho);
-    const T denominator = blended.value, scale = T(1) / denominator, minus = -scale;
+    const T denominator = blended.value, scale = T(1) / denominator;
     PlanePoint<T, count, wrt> m;
     m.x = x * scale;
     m.y = y * scale;
     m.valid = both<T>(less<T>(-(T(border_) * rho), z), less<T>(T(0), denominator));
     if constexpr (includes(wrt, Wrt::point)) {
-      const T c = alpha / rho * beta, by_z = blended.slope;  // derivatives of the denominator: c x, c y, by_z
-      const T mx = m.x * minus, my = m.y * minus, across = mx * (c * y);
-      m.by_point(0, 0) = scale + mx * (c * x);
-      m.by_point(0, 1) = across;
-      m.by_point(0, 2) = mx * by_z;
-      m.by_point(1, 0) = across;
-      m.by_point(1, 1) = scale + my * (c * y);
-      m.by_point(1, 2) = my * by_z;
+      set_quotient_jacobian<T>(m, x, y, scale, alpha / rho * beta, blended.slope);
     }
     if constexpr (includes(wrt, Wrt::parameters)) {
-      const T by_alpha = minus * difference_of_length<T>(beta * square, z, rho);
-      const T by_beta = minus * (T(Scalar(0.5)) * alpha * square / rho);
-      m.by_parameters(0, 0) = m.x * by_alpha;
-      m.by_parameters(0, 1) = m.x * by_beta;
-      m.by_parameters(1, 0) = m.y * by_alpha;
-      m.by_parameters(1, 1) = m.y * by_beta;
+      const T by_beta = T(Scalar(0.5)) * alpha * square / rho;
+      set_quotient_parameters<T>(m, scale, difference_of_length<T>(beta * square, z, rho), by_beta);
     }
     return m;
   }

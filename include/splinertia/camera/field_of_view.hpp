@@ -8,12 +8,12 @@
 #include <splinertia/camera/detail/direction_scale.hpp>
 #include <splinertia/camera/detail/focal_model.hpp>
 #include <splinertia/camera/detail/polar_angle.hpp>
-#include <splinertia/camera/detail/sine_defect.hpp>
 #include <splinertia/camera/detail/symmetric_ray.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/pi.hpp>
 #include <splinertia/detail/require.hpp>
 #include <splinertia/detail/square_root.hpp>
+#include <splinertia/group/detail/stumpff.hpp>
 
 namespace splinertia {
 
@@ -35,7 +35,7 @@ class FieldOfViewBody {
     ratio_ = pinhole ? Scalar(1) : Scalar(tangent_ / w);
     one_over_w_ = pinhole ? Scalar(0) : Scalar(1) / w;
     one_over_sine_ = pinhole ? Scalar(0) : Scalar(Scalar(1) / sin(w));
-    defect_ = w * w < Scalar(2) ? sine_defect<Scalar>(w * w) : Scalar((w - sin(w)) / (w * w * w));
+    defect_ = stumpff<3>(Scalar(w * w)).full[3];
   }
 
   [[nodiscard]] Eigen::Matrix<Scalar, 1, 1> parameters() const { return Eigen::Matrix<Scalar, 1, 1>(w_); }
@@ -72,7 +72,7 @@ class FieldOfViewBody {
       // ∂h/∂w, h = a/(w r), is (sin 2a / sin w − 2a/w) / (2 w r). For small 2a both terms are close to each other, and
       // their differences from 2a / sin w are subtracted instead.
       const T twice = angle + angle, small = twice * twice, w(w_), one_over_sine(one_over_sine_);
-      const T series = w * w * one_over_sine * h * (T(defect_) - T(4) * h * h * square * sine_defect<T>(small));
+      const T series = w * w * one_over_sine * h * (T(defect_) - T(4) * h * h * square * stumpff_series<3, T>(small));
       const T by_w = select<T>(less<T>(small, T(2)), series, by_radius * z * one_over_sine - h * T(one_over_w_));
       m.by_parameters(0, 0) = x * by_w;
       m.by_parameters(1, 0) = y * by_w;
@@ -101,7 +101,7 @@ class FieldOfViewBody {
 
  private:
   Scalar w_, tangent_, ratio_;                  // 2 tan(w/2), and that divided by w
-  Scalar one_over_w_, one_over_sine_, defect_;  // 0, 0 for w = 0; (w − sin w)/w³
+  Scalar one_over_w_, one_over_sine_, defect_;  // 0, 0 for w = 0; c₃(w²) = (w − sin w)/w³
 };
 
 }  // namespace detail

@@ -56,6 +56,29 @@ struct BlendedLength {
   }
 };
 
+/// The derivatives of m = (x, y)/denominator by the point, for scale = 1/denominator and a denominator whose derivatives
+/// are (c x, c y, by_z).
+template <typename T>
+SPLINERTIA_ALWAYS_INLINE inline void set_quotient_jacobian(auto& m, const T& x, const T& y, const T& scale, const T& c,
+                                                           const T& by_z) {
+  const T mx = -(m.x * scale), my = -(m.y * scale), across = mx * (c * y);
+  m.by_point(0, 0) = scale + mx * (c * x);
+  m.by_point(0, 1) = m.by_point(1, 0) = across;
+  m.by_point(1, 1) = scale + my * (c * y);
+  m.by_point(0, 2) = mx * by_z;
+  m.by_point(1, 2) = my * by_z;
+}
+/// The derivatives of the same by two parameters, for those of the denominator.
+template <typename T>
+SPLINERTIA_ALWAYS_INLINE inline void set_quotient_parameters(auto& m, const T& scale, const T& by_first,
+                                                             const T& by_second) {
+  const T first = -(by_first * scale), second = -(by_second * scale);
+  m.by_parameters(0, 0) = m.x * first;
+  m.by_parameters(1, 0) = m.y * first;
+  m.by_parameters(0, 1) = m.x * second;
+  m.by_parameters(1, 1) = m.y * second;
+}
+
 /// α z / sqrt(square + z²) + 1 − α, without cancellation up to α = 1/2.
 template <typename Scalar>
 [[nodiscard]] Scalar blend_slope(const Scalar& alpha, const Scalar& square, const Scalar& z) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <splinertia/camera/camera_model.hpp>
 #include <splinertia/camera/detail/direction_scale.hpp>
+#include <splinertia/camera/detail/image_point.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
 #include <splinertia/detail/require.hpp>
@@ -16,17 +17,9 @@
 
 namespace splinertia::detail {
 
-/// Coordinates m on the image plane of focal length 1, with what was requested of their derivatives with respect to
-/// the point and to the Count parameters of a Body. T is a scalar, or a SIMD pack of it.
+/// Coordinates m on the image plane of focal length 1.
 template <typename T, int Count, Wrt wrt>
-struct PlanePoint {
-  T x, y;
-  Mask<T> valid;  ///< the point is in the domain
-  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::point), Eigen::Matrix<T, 2, 3>, Eigen::Matrix<T, 0, 0>>
-      by_point;
-  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::parameters) && (Count > 0), Eigen::Matrix<T, 2, Count>,
-                                           Eigen::Matrix<T, 0, 1>> by_parameters;
-};
+using PlanePoint = ImagePoint<T, 3, Count, wrt>;
 
 /// A camera model of the form pixel = (fx mx + cx, fy my + cy). Body, for the scalar Scalar, gives m:
 ///   Body::count                      the number of its parameters
@@ -127,8 +120,6 @@ class FocalModel {
     require_finite(name, "cx", cx);
     require_finite(name, "cy", cy);
   }
-
-  [[nodiscard]] const Body& body() const { return body_; }
 
  private:
   template <Wrt wrt>

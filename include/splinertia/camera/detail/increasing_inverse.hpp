@@ -9,8 +9,7 @@ namespace splinertia::detail {
 
 /// The x in [low, high] with f(x) = y, for f that increases there and is right at both ends: f(low) ≤ y ≤ f(high).
 /// evaluate(x, slope) returns f(x) and sets its derivative. Newton's method; a step that leaves the interval that is
-/// left, or does not halve often enough, is replaced by a bisection, or by doubling x where `high` is far away. It ends
-/// where the residual or the step is that of rounding. docs/cameras.md has the number of steps.
+/// left, or does not halve often enough, is replaced by a bisection. It ends where the residual or the step is that of rounding. docs/cameras.md has the number of steps.
 template <typename Scalar>
 [[nodiscard]] Scalar increasing_inverse(const auto& evaluate, const Scalar& y, Scalar low, Scalar high, Scalar start) {
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
@@ -32,7 +31,7 @@ template <typename Scalar>
     if (!inside || (i > 3 && slow)) {
       const Scalar rounding = Scalar(1024) * epsilon;  // of f
       if (inside && last_step <= rounding * x && residual <= rounding * y) return x;
-      next = Scalar(0) < low && low < high / Scalar(8) ? low + low : middle_of(low, high);
+      next = middle_of(low, high);
       if (!(low < next && next < high)) return x;  // neighbouring numbers
     }
     last_step = next > x ? next - x : x - next;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// Distortions of the image plane: of a point m of the undistorted image of focal length 1. A distortion D has
 ///   D::count, d.parameters(), D::from(v)   its parameters
-///   d.limit()              the radius |m| at which the domain ends, without tangential terms
+///   d.limit()                              the radius |m| at which the domain ends, without tangential terms
 ///   d.distort<wrt>(x, y)                   the distorted point, whether m is in the domain, and derivatives
 ///   d.undistort(x, y)                      the inverse, if the point is in the image of the domain
 #pragma once
@@ -13,6 +13,7 @@
 #include <optional>
 #include <splinertia/camera/camera_model.hpp>
 #include <splinertia/camera/detail/direction_scale.hpp>
+#include <splinertia/camera/detail/image_point.hpp>
 #include <splinertia/camera/detail/increasing_inverse.hpp>
 #include <splinertia/detail/finite.hpp>
 #include <splinertia/detail/inline.hpp>
@@ -23,20 +24,13 @@
 namespace splinertia::detail {
 
 /// A distorted point, with what was requested of its derivatives with respect to the undistorted point and to the
-/// Count parameters.
+/// Count parameters. `valid`: the undistorted point is in the domain.
 template <typename T, int Count, Wrt wrt>
-struct Distorted {
-  T x, y;
-  Mask<T> valid;  ///< the undistorted point is in the domain
-  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::point), Eigen::Matrix2<T>, Eigen::Matrix<T, 0, 0>>
-      by_point;
-  [[no_unique_address]] std::conditional_t<includes(wrt, Wrt::parameters) && (Count > 0), Eigen::Matrix<T, 2, Count>,
-                                           Eigen::Matrix<T, 0, 1>> by_parameters;
-};
+using Distorted = ImagePoint<T, 2, Count, wrt>;
 
 /// A radial factor g(s), s = |m|², and tangential terms (Brown 1966), as OpenCV defines them:
 ///   x' = x g + 2 p1 x y + p2 (s + 2 x²),   y' = y g + p1 (s + 2 y²) + 2 p2 x y
-/// `slope` is dg/ds; the columns of by_parameters from `at` on are set to the derivatives by p1 and p2.
+/// `slope` is dg/ds. Of by_parameters the columns 2 and 3, of p1 and p2, are set.
 template <Wrt wrt, int Count, typename T>
 [[nodiscard]] SPLINERTIA_ALWAYS_INLINE inline Distorted<T, Count, wrt> distort_brown(const T& x, const T& y, const T& g,
                                                                                      const T& slope, const T& p1,
@@ -124,8 +118,9 @@ template <typename Scalar>
 /// inverted. Then Newton's method in two dimensions adds the tangential part.
 ///
 /// Tangential terms shift the line on which the image folds: on one side it lies inside the domain, which is defined by
-/// the radial part alone. Two points of the domain then have the same pixel, and the outer one is returned. That can only
-/// be where the slope of the radius is of the size of the tangential terms' derivatives, at most 6 tangential |m|.
+/// the radial part alone. Two points of the domain then have the same pixel, and one of them is returned: the outer one,
+/// if it is about as far beyond the fold as the inner one is before it. A fold can only be where the slope of the radius
+/// is of the size of the tangential terms' derivatives, at most 6 tangential |m|.
 template <typename Scalar>
 [[nodiscard]] std::optional<Eigen::Vector2<Scalar>> undistort_brown(const auto& distortion, const auto& radial,
                                                                     const Scalar& x, const Scalar& y,

@@ -5,6 +5,7 @@
 
 #include <splinertia/detail/cpp20.hpp>
 
+#include <array>
 #include <cstddef>
 #include <splinertia/detail/fixed_array.hpp>
 
@@ -24,31 +25,23 @@ namespace splinertia::detail {
   return terms;
 }
 
-/// The coefficients of the polynomial Σ_m a[m] x^m with Terms terms that approximates Σ_m (−x)^m/(2m + n)! on
-/// [0, length].
-/// C. Lanczos, "Applied Analysis" (1956), VII.6: start from a sufficiently long Taylor polynomial in y = x/length.
-/// Replace its highest term b y^m by b (y^m − T*_m(y)/2^(2m−1)), which has degree m − 1, until Terms terms are left.
-template <typename Real, int Terms>
-[[nodiscard]] constexpr FixedArray<Real, Terms> economized_series(int n, long double length) {
-  constexpr int size = Terms + 8;  // the first term left out is below 1e-10 of the accepted error
-  FixedArray<long double, size> b{};
-  long double term = 1;
-  for (int i = 2; i <= n; ++i) term /= static_cast<long double>(i);
-  for (int m = 0; m < size; ++m) {
-    b[static_cast<std::size_t>(m)] = term;
-    term *= -length / static_cast<long double>((2 * m + n + 1) * (2 * m + n + 2));
-  }
+/// The polynomial Σ a[m] x^m of Terms terms that on [0, length] is closest to a Taylor polynomial Σ b[m] y^m in
+/// y = x/length, which is longer by so many terms that what it leaves out is negligible.
+/// C. Lanczos, "Applied Analysis" (1956), VII.6: replace its highest term b y^m by b (y^m − T*_m(y)/2^(2m−1)), which has
+/// degree m − 1, until Terms terms are left.
+template <typename Real, int Terms, std::size_t Size>
+[[nodiscard]] constexpr FixedArray<Real, Terms> economized(std::array<long double, Size> b, long double length) {
   // T*_m by its recursion T*_{m+1} = (4y − 2) T*_m − T*_{m−1}.
-  FixedArray<FixedArray<long double, size>, size> chebyshev{};
+  std::array<std::array<long double, Size>, Size> chebyshev{};
   chebyshev[0][0] = 1;
   chebyshev[1][0] = -1;
   chebyshev[1][1] = 2;
-  for (std::size_t m = 1; m + 1 < size; ++m) {
-    for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t m = 1; m + 1 < Size; ++m) {
+    for (std::size_t i = 0; i < Size; ++i) {
       chebyshev[m + 1][i] = (i > 0 ? 4 * chebyshev[m][i - 1] : 0) - 2 * chebyshev[m][i] - chebyshev[m - 1][i];
     }
   }
-  for (std::size_t m = size; m-- > Terms;) {
+  for (std::size_t m = Size; m-- > Terms;) {
     const long double factor = b[m] / chebyshev[m][m];
     for (std::size_t i = 0; i <= m; ++i) b[i] -= factor * chebyshev[m][i];
   }
@@ -59,6 +52,21 @@ template <typename Real, int Terms>
     scale /= length;
   }
   return a;
+}
+
+/// The polynomial with Terms terms that approximates Σ_m (−x)^m/(2m + n)! on [0, length].
+template <typename Real, int Terms>
+[[nodiscard]] constexpr FixedArray<Real, Terms> economized_series(int n, long double length) {
+  FixedArray<long double, Terms + 8> b{};  // the first term left out is below 1e-10 of the accepted error
+  long double term = 1;
+  for (int i = 2; i <= n; ++i) term /= static_cast<long double>(i);
+  int m = 0;
+  for (long double& coefficient : b) {
+    coefficient = term;
+    term *= -length / static_cast<long double>((2 * m + n + 1) * (2 * m + n + 2));
+    ++m;
+  }
+  return economized<Real, Terms>(b, length);
 }
 
 }  // namespace splinertia::detail
