@@ -31,7 +31,7 @@ TEST_CASE("A mask has one value for each pixel, row by row") {
   CHECK_FALSE(mask.contains(Pixel(0.5, 1)));
   CHECK(mask.contains(Pixel(2.9, 1.9)));
   CHECK(testing::message_of([] { return ImageMask({3, 2}, std::vector<bool>(5)); }) ==
-        "ImageMask: the number of values is 5, expected width * height");
+        "ImageMask: the number of values is 5, expected 6 = width * height");
   CHECK(testing::message_of([&] {
           mask.check({2, 3});
           return 0;

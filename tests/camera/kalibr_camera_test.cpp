@@ -86,9 +86,9 @@ TEST_CASE("An entry that is not of the model is refused by name and count") {
         "KalibrCamera: distortion_coeffs has 5 numbers, expected 4 for pinhole-radtan");
   entry.distortion_model = "plumb_bob";
   CHECK(message_of([&] { return any_camera_model(entry); }) ==
-        "KalibrCamera: camera_model is pinhole, distortion_model is plumb_bob, expected one of pinhole-none, "
-        "pinhole-radtan, pinhole-radtan8, pinhole-equi, fov, omni-none, omni-radtan, omni-radtan8, ds-none, eucm-none, "
-        "equirectangular");
+        "KalibrCamera: camera_model is pinhole, distortion_model is plumb_bob, expected one of pinhole none, pinhole "
+        "radtan, pinhole radtan8, pinhole equidistant, pinhole fov, omni none, omni radtan, omni radtan8, ds none, "
+        "eucm none, equirectangular none");
   entry = to_kalibr(some_model<Radtan>());
   entry.intrinsics[1] = -1;
   CHECK(message_of([&] { return any_camera_model(entry); }) == "Pinhole: fy is -1, expected a finite number > 0");

@@ -153,10 +153,9 @@ TEST_CASE("What a camchain is refused for: file, line and what was expected") {
   CHECK(camchain_refusal("cam1:\n  a: 1\n") == "camchain.yaml:1: no cam0, expected Kalibr's entries cam0, cam1, ...");
   CHECK(camchain_refusal(kalibr + "cam2:\n  a: 1\n") == "camchain.yaml:1: unknown cam2, expected cam0, cam1");
   CHECK(refused("pinhole", "pinhol") ==
-        "camchain.yaml:2: KalibrCamera: camera_model is pinhol, distortion_model is radtan, expected one of "
-        "pinhole-none, "
-        "pinhole-radtan, pinhole-radtan8, pinhole-equi, fov, omni-none, omni-radtan, omni-radtan8, ds-none, eucm-none, "
-        "equirectangular");
+        "camchain.yaml:2: KalibrCamera: camera_model is pinhol, distortion_model is radtan, expected one of pinhole "
+        "none, pinhole radtan, pinhole radtan8, pinhole equidistant, pinhole fov, omni none, omni radtan, omni "
+        "radtan8, ds none, eucm none, equirectangular none");
   CHECK(refused(", 248.375", "") ==
         "camchain.yaml:2: KalibrCamera: intrinsics has 3 numbers, expected 4 for pinhole-radtan");
   CHECK(refused("0.07, ", "0.07, 1, ") ==

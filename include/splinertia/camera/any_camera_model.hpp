@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <splinertia/camera/detail/kalibr_layout.hpp>
 #include <splinertia/camera/double_sphere.hpp>
 #include <splinertia/camera/equirectangular.hpp>
 #include <splinertia/camera/extended_unified.hpp>
@@ -27,13 +28,15 @@ using AnyCameraModel =
 
 /// The model that an entry names:
 ///   std::visit([](const auto& model) { … model.project(point) … }, any_camera_model(entry));
-/// Throws std::invalid_argument for an unknown name, and as from_kalibr() does.
+/// Throws std::invalid_argument for unknown names, and as from_kalibr() does.
 [[nodiscard]] inline AnyCameraModel any_camera_model(const KalibrCamera& camera) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
     std::optional<AnyCameraModel> found;
     std::string known;
     const auto visit = [&]<typename Model>(const Model*) {
-      known += (known.empty() ? "" : ", ") + std::string(Model::name);
+      constexpr auto layout = detail::kalibr_layout<Model>();
+      known +=
+          (known.empty() ? "" : ", ") + std::string(layout.camera_model) + ' ' + std::string(layout.distortion_model);
       if (names_model<Model>(camera)) found.emplace(from_kalibr<Model>(camera));
     };
     (visit(static_cast<const std::variant_alternative_t<I, AnyCameraModel>*>(nullptr)), ...);

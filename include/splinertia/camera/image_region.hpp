@@ -51,7 +51,9 @@ class ImageMask {
   /// Throws std::invalid_argument unless there are width · height values.
   ImageMask(ImageSize size, std::vector<bool> seen) : size_(size), seen_(std::move(seen)) {
     const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    detail::require(seen_.size() == pixels, "ImageMask", "the number of values", seen_.size(), "width * height");
+    if (seen_.size() == pixels) return;
+    detail::refuse<std::invalid_argument>("ImageMask: the number of values is ", seen_.size(), ", expected ", pixels,
+                                          " = width * height");
   }
   void check(ImageSize image) const {
     if (image == size_) return;

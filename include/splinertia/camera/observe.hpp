@@ -115,8 +115,9 @@ class FrameObserver {
 /// With a rolling shutter the camera moves while the rows are read. A landmark is observed at every row v in [0, height)
 /// for which v is the row of its projection at the time when v is read, the pixel is in the image, and the point is in
 /// the model's domain. All such rows are found to rounding (at most 8). The frame is sampled so densely that the camera
-/// turns by at most 0.2 rad from one sample to the next; only a motion that oscillates faster than that could hide two
-/// rows. Between the ticks of an integer Time a pose follows from the nearest tick and its velocity, which for
+/// turns by at most 0.2 rad from one sample to the next, and where the direction to the landmark turns by more than 0.3 rad,
+/// up to 4096 times as densely. Two rows can be hidden by a motion that oscillates faster than that, and by a landmark
+/// that passes closer than that resolves. Between the ticks of an integer Time a pose follows from the nearest tick and its velocity, which for
 /// nanoseconds is exact to rounding.
 ///
 /// Throws std::out_of_range unless the curve is defined while all rows are read. A landmark that is not finite gives no
